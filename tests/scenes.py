@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Short runs of decks in docs/decks and of the main deck, with scenes that every reader must
-handle."""
+"""Run short versions of decks in docs/decks and of the main deck: scenes that every reader of
+records must handle."""
 
 from host import ROOT, succeed
 
@@ -18,11 +18,11 @@ RING = {"cage": "ring", "models": "full", "record": "all"}
 
 
 def _turning(inner, outer):
-    """Return the changes of in.spall for other ring speeds, in rad/s."""
+    """Return the changes to in.spall that set other ring speeds, in rad/s."""
     return [(old, new.format(inner, outer) if "{0}" in new else new) for old, new in TURNING]
 
 
-SCENES = {  # deck: changes of its text
+SCENES = {  # deck: changes to its text
     "radial": ("in.6208", {"passes": 3, "samples": 60, "load": 3000, "record": "all"}),
     "combined": ("in.combined", [("run 2000", "run 600")]),
     "whirl": ("in.unbalance", [("run 2000", "run 500")]),

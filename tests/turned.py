@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Turn the record of a run into the record of the same scene in another pose in the lab."""
+"""Transform the record of a run into the record of the same scene with another pose in the lab."""
 
 import re
 import shutil
@@ -18,20 +18,21 @@ VECTORS = [
 
 
 def own_frame(pose):
-    """Return the `Pose` in the bearing's frame (its axis is z) for a `Pose` in the lab."""
+    """Return the `Pose` in the bearing's frame, whose axis is z, for a `Pose` in the lab."""
     return Pose(tuple((lab - pose.axis - 1) % 3 for lab in pose.axes), pose.signs)
 
 
 def wrapped(angle):
-    """Return `angle` between -pi and pi."""
+    """Return `angle` wrapped to the range from -pi to pi."""
     return np.mod(angle + np.pi, 2 * np.pi) - np.pi
 
 
 def write(source, folder, pose):
-    """Write the run in `source`, whose axis is z, to `folder` in a `Pose`, without checksums."""
+    """Write the run in `source`, whose axis is z, to `folder` in the given `Pose`, without
+    checksums."""
     folder.mkdir(parents=True)
     text = (source / "run.yaml").read_text()
-    text = re.sub("load_azimuth_rad: .*\n", "", text)  # the record has it
+    text = re.sub("load_azimuth_rad: .*\n", "", text)  # the record contains the azimuth
     (folder / "run.yaml").write_text(text.replace("axis: z", f"axis: {'xyz'[pose.axis]}"))
     for name in ("restart", "restart.deck"):
         if (source / name).exists():
@@ -63,7 +64,7 @@ def write(source, folder, pose):
 
 def _azimuth(own, pose):
     if pose.sense == 1 and not pose.azimuth(0):
-        return own  # to the bit
+        return own  # bitwise identical
     return wrapped(pose.sense * own + pose.azimuth(0))
 
 
@@ -79,7 +80,7 @@ def _turned(old, pose):
     for name in ABOUT_AXIS & set(old.variables):
         values[name] = pose.sense * old[name][...]
     inside = own_frame(pose)
-    for k in (0, 1):  # tilts are about the two axes that follow the bearing's axis
+    for k in (0, 1):  # tilts about the two axes that follow the bearing's axis
         own = inside.axes.index(k)
         values[f"ring_tilt_{k + 1}"] = (
             inside.hand * inside.signs[own] * old[f"ring_tilt_{own + 1}"][...]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run the main deck for every rated bearing in inputs/bearings under a radial load of 0.1 C0, with
-an equal axial load if the balls have a contact angle, and compare the largest ball load with
-statics.
+"""Run the main deck for every bearing in inputs/bearings that has ratings, under a radial load of
+0.1 C0 and, if the balls have a contact angle, an equal axial load, and compare the largest ball
+load with statics.
 
     .venv/bin/python tests/bench/all_bearings.py [NAME ...]
 
@@ -21,11 +21,11 @@ from raceway.runs.tables import RunTables
 
 ROOT = Path(__file__).resolve().parents[2]
 WITHIN = 0.01
-PHASES = 16  # sampled ball positions within a ball pass
+PHASES = 16  # number of ball positions that are sampled within a ball pass
 
 
 def run(name, load, axial, out):
-    """Return the largest inner contact load (N) within a ball pass, and the output of the host."""
+    """Return (largest inner contact load (N) within a ball pass, output of the host)."""
     given = {"bearing": name, "load": load, "axial": axial, "out": out, "passes": 1}
     words = [word for key, value in given.items() for word in ("-var", key, str(value))]
     done = subprocess.run(
@@ -40,7 +40,7 @@ def run(name, load, axial, out):
 
 
 def expected(path, load, axial):
-    """Return the largest inner contact load (N) within a ball pass according to statics."""
+    """Return the largest inner contact load (N) within a ball pass, computed by statics."""
     bearing = inputs.bearing(path)
     rest = partial(static.equilibrium, bearing, load, axial, finite_shift=True)
     return max(

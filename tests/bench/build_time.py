@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure the CPU seconds of `make TARGET` in a clean clone of this commit, relative to another.
+"""Measure the CPU seconds of `make TARGET` in clean clones of this commit and of another commit.
 
     .venv/bin/python tests/bench/build_time.py REV [--targets run,build] [--rounds 3]
 
 Every measurement uses a clean clone without a compiler cache. The two revisions alternate, so that
-a drift of the machine affects both. Run `make test` first: it installs the missing Debian packages
-and fills pip's cache. The script also counts the objects that are rebuilt when one part of the
-contact law changes. Uncommitted changes are not measured.
+a drift of the machine affects both. Run `make test` first, which installs the missing Debian
+packages and fills pip's cache. The script also counts the objects that are rebuilt when one part of
+the contact law changes. Uncommitted changes are not measured.
 """
 
 import argparse
@@ -24,7 +24,8 @@ PART = "core/parts/part_drag.h"
 
 
 def environment():
-    """Return the environment of this process without compiler cache and virtual environment."""
+    """Return the environment of this process without the compiler cache and the virtual
+    environment."""
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("CCACHE", "MAKE", "VIRTUAL"))}
     paths = [p for p in kept["PATH"].split(os.pathsep) if "ccache" not in p and ".venv" not in p]
     return {**kept, "CCACHE_DISABLE": "1", "PATH": os.pathsep.join(paths)}
@@ -36,7 +37,7 @@ def cpu_seconds():
 
 
 def build(revision, target, folder):
-    """Clone `revision` into `folder` and return the CPU and wall seconds of `make target`."""
+    """Clone `revision` into `folder`, and return the CPU and wall seconds of `make target`."""
     quiet = dict(check=True, stdout=subprocess.DEVNULL)
     subprocess.run(["git", "clone", "-q", "--no-checkout", ROOT, folder], **quiet)
     subprocess.run(["git", "checkout", "-q", "--detach", revision], cwd=folder, **quiet)
@@ -55,14 +56,14 @@ def build(revision, target, folder):
 
 
 def made_again(folder):
-    """Return the number of objects that an edit of `PART` causes to be rebuilt in a built clone."""
+    """Return the number of objects in a built clone that are rebuilt after an edit of `PART`."""
     seen = (folder / "build").rglob("*.d")
     return sum(PART in path.read_text() for path in seen)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("revision", help="the other commit")
+    parser.add_argument("revision", help="commit to compare with")
     parser.add_argument("--targets", default="run,build", help="run,build,test")
     parser.add_argument("--rounds", type=int, default=3)
     options = parser.parse_args()

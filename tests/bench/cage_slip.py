@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare the slip of a cage ring with that of measured bearings; writes build/bench/cage_slip.rst.
+"""Compare the slip of a cage ring with that of measured bearings, and write
+build/bench/cage_slip.rst.
 
     .venv/bin/python tests/bench/cage_slip.py [--print]
 
 The measured slip of MFPT's bearing (NICE, 8 balls) follows from the ball pass frequency of its
-outer race, that of Paderborn's 6203 from medians of lines in envelope spectra. Clearance,
-conformity, oil, pocket play, cage guidance and the direction of the load relative to gravity are
-not published for either bearing, so each column assumes one play and one position of the cage. The
-exit code is 0 only if the slip of the centred cage falls by at least 0.2 % from 111 to 1334 N and
-is within 0.2 % of MFPT's slip up to 890 N, and the order of the cage does not change in a bearing
-whose balls are all loaded.
+outer race, and the slip of Paderborn's 6203 from medians of lines in envelope spectra. Clearance,
+conformity, oil, pocket play, cage guidance and the direction of the load relative to gravity were
+not published for either bearing, so each column assumes a certain play and position of the cage.
+The exit code is 0 only if three conditions hold: the slip of the centred cage falls by at least 0.2
+% from 111 to 1334 N; it is within 0.2 % of MFPT's slip up to 890 N; and the order of the cage does
+not change in a bearing in which all balls are loaded.
 """
 
 import itertools
@@ -38,7 +39,7 @@ COLUMNS = {
     "0.02 D, on balls, weight along the load": (0.02, "balls", -1),
     "0.02 D, on balls, weight against it": (0.02, "balls", 1),
 }
-# balls, ball and pitch diameter (m), inner and outer conformity, diametral clearance (m)
+# number of balls, ball and pitch diameter (m), inner and outer conformity, diametral clearance (m)
 MFPT = (8, 5.969e-3, 31.62e-3, 0.515, 0.53, 15e-6)
 SKF_6203 = (8, 6.75e-3, 28.5e-3, 0.52, 0.53, 5e-6)
 SKF_6205 = (9, 7.94e-3, 39.04e-3, 0.515, 0.53, 8e-6)
@@ -49,7 +50,7 @@ PASSES = 48  # six turns of the cage
 
 
 def bearing(folder, balls, ball, pitch, inner, outer):
-    """Write the data file of the 6208 with these values replaced, and return its path."""
+    """Write the data file of the 6208 with some values replaced by these, and return its path."""
     own = dict(
         balls=balls,
         ball_diameter=ball,
@@ -71,7 +72,7 @@ def bearing(folder, balls, ball, pitch, inner, outer):
 
 
 def deck(folder):
-    """Write the main deck with gravity and return its path."""
+    """Write the main deck with gravity added, and return its path."""
     file = folder / "in.weight"
     text = DECK.read_text().replace("fix move all", WEIGHT + "fix move all")
     file.write_text("variable down index 0\n" + text)
@@ -79,7 +80,8 @@ def deck(folder):
 
 
 def run(folder, data, out, *, down=0, **variables):
-    """Return the results of a run in `folder`/`out`; `down` is the sign of the weight along y."""
+    """Return the results of a run in `folder`/`out`, where `down` is the sign of the weight along
+    y."""
     *size, clearance = data
     settings = dict(
         bearing=bearing(folder, *size),
@@ -101,7 +103,7 @@ def run(folder, data, out, *, down=0, **variables):
 def slip(folder, data, load, rpm, number, share, place, down):
     """Return the slip of the cage in %."""
     words = {}
-    if place == HELD:  # centred by a land without a film
+    if place == HELD:  # the cage is centred by a land without a film
         land = data[2] / 2 + 0.28 * data[1]
         words = dict(cage_guide="outer", cage_clearance=5e-6, cage_width=1e-3, cage_land=land)
         words["cage_without"] = "land"

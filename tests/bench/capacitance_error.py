@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare the closed form for the total capacitance of a contact with numerical integrals, for
-various sizes, conformities, loads and films at both raceways; writes
+"""Compare the closed-form expression for the total capacitance of a contact with numerical
+integrals for various sizes, conformities, loads and films at both raceways, and write
 build/bench/capacitance_error.rst.
 
     .venv/bin/python tests/bench/capacitance_error.py [--print]     --print: do not write the page
 
-The exit code is 1 if a row exceeds the stated error.
+The exit code is 1 if the error in a row exceeds the stated limit.
 """
 
 import sys
@@ -17,34 +17,35 @@ from raceway import capacitance, capacitance_exact, capacitance_outside, groove_
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
 PATH = bench_file("capacitance_error.rst")
-SIZES = {"12.6 mm": 60.6e-3, "7.938 mm": 39.04e-3, "3.968 mm": 15e-3}  # ball, pitch diameter (m)
+SIZES = {"12.6 mm": 60.6e-3, "7.938 mm": 39.04e-3, "3.968 mm": 15e-3}  # {ball: pitch diameter (m)}
 CONFORMITIES = (0.505, 0.51, 0.52, 0.53, 0.54)
 SEPARATIONS = np.geomspace(20e-9, 2e-6, 7)  # m
-LOADS = (0.1, 1.0, 10.0, 100.0, 300.0, 1000.0, 2000.0, 3000.0)  # N; the gap is rigid without load
+LOADS = (0.1, 1.0, 10.0, 100.0, 300.0, 1000.0, 2000.0, 3000.0)  # N; without load the gap is rigid
 PLAYS = np.array([5e-6, 10e-6, 20e-6])  # m
 PERMITTIVITY = 2.2
 PROMISE = 0.015
 PAGE = """\
-Error of the closed form of capacitance
-=======================================
+Error of the closed-form capacitance
+====================================
 
 Written by ``tests/bench/capacitance_error.py`` (``make bench``).
 
-:doc:`../electric` gives a closed form for the capacitance of a contact with its surroundings. Here
-it is compared with numerical integrals; the total of plates and surroundings counts. The oil has a
-relative permittivity of {permittivity} at rest. Each row has {count} points. Loads are
-{loads} N at seven films from 20 nm to 2 µm. Without load the gap is rigid, at the
-same separations.
+:doc:`../electric` gives a closed-form expression for the capacitance of a contact with its
+surroundings. Here it is compared with numerical integrals. The error refers to the total of plates
+and surroundings. The oil has a relative permittivity of {permittivity} at ambient pressure. Each
+row covers {count} points: loads of {loads} N at seven film thicknesses from 20 nm to 2 µm. Without
+load the gap is rigid, and the same separations are used.
 
-* *arc*: the integral over a circular groove with a depth of {depth:g} ball diameters.
-* *parabola*: the integral that the closed form approximates, over a parabola of the same
-  half-width.
-* *rigid*: the gap without load, compared with the arc.
-* *play*: the gap without load, with 5, 10 and 20 µm of play, compared with the arc.
-* *left out*: loads under which the contact reaches the shoulder and is no longer an ellipse
+* *arc*: the reference is the integral over a circular groove with a depth of {depth:g} ball
+  diameters.
+* *parabola*: the reference is the integral that the closed-form expression approximates, over a
+  parabola of the same half-width.
+* *rigid*: the gap without load is compared with the arc.
+* *play*: the gap without load, with a play of 5, 10 and 20 µm, is compared with the arc.
+* *left out*: loads for which the contact reaches the shoulder and is no longer an ellipse
   (:doc:`../scope`).
 
-The largest error of the first three columns is {worst:.2f} %; the stated limit is {promise:.1f} %.
+The largest error in the first three columns is {worst:.2f} %; the stated limit is {promise:.1f} %.
 
 .. list-table:: largest error, %
    :header-rows: 1
@@ -71,29 +72,29 @@ ROW = """\
 
 
 class Errors(NamedTuple):
-    """Largest relative errors in a row of the table."""
+    """The largest relative errors in a row of the table."""
 
     arc: float
     parabola: float
     rigid: float
     play: float
-    left: tuple[float, ...]  # N, loads that are left out
+    left: tuple[float, ...]  # N, loads that were left out
 
     @property
     def inside(self) -> float:
-        """Return the largest error in the range that the stated limit covers."""
+        """The largest error in the range that the stated limit covers."""
         return max(self.arc, self.parabola, self.rigid)
 
 
 def bearing(size: str, conformity: float) -> Bearing:
-    """Return a bearing with one of the ball sizes on the page."""
+    """Return a bearing with one of the ball sizes that are listed on the page."""
     ball, pitch = 1e-3 * float(size.split()[0]), SIZES[size]
     groove = conformity * ball
     return Bearing(9, ball, (pitch - ball) / 2, (pitch + ball) / 2, groove, groove)
 
 
 def errors(size: str, conformity: float, raceway: int) -> Errors:
-    """Return the `Errors` of a row."""
+    """Return the `Errors` for one row."""
     one = bearing(size, conformity)
     depth = groove_width.USUAL_DEPTH * one.ball_diameter
     r_x, r_y = (float(radius) for radius in one.effective_radii(raceway))
@@ -135,7 +136,7 @@ def _rigid(one, raceway, r_x, depth, widths, gaps):
 
 
 def line(size: str, conformity: float, raceway: int, found: Errors) -> str:
-    """Return a row of the table as text."""
+    """Return the text of one row of the table."""
     left = ", ".join(f"{load:g} N" for load in found.left)
     return ROW.format(
         size=size,
@@ -150,7 +151,7 @@ def line(size: str, conformity: float, raceway: int, found: Errors) -> str:
 
 
 def main() -> int:
-    """Write the page."""
+    """Compute the errors and write the page."""
     places = [(size, f, side) for size in SIZES for f in CONFORMITIES for side in (INNER, OUTER)]
     found = {place: errors(*place) for place in places}
     worst = max(one.inside for one in found.values())

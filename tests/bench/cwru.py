@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Predict the lines of nine set-ups of the motor bearing of Case Western Reserve University
 (cwru/lines.csv). For each set-up and one thrust, the script finds the clearance that explains the
-line measured at the first speed, predicts the lines at the other speeds with this clearance, runs
-the main deck with it at the first speed, and finds the clearances for other thrusts. Writes
-build/bench/cwru.rst and docs/images/cwru.png.
+line measured at the first speed, and predicts the lines at the other speeds with this clearance. It
+also runs the main deck with this clearance at the first speed, and finds the clearances for other
+values of the thrust. It writes build/bench/cwru.rst and docs/images/cwru.png.
 
     .venv/bin/python tests/bench/cwru.py [--no-runs]
 """
@@ -29,18 +29,18 @@ ROOT = Path(__file__).resolve().parents[2]
 INPUTS = ROOT / "inputs"
 TABLE = Path(__file__).with_suffix("") / "lines.csv"
 PAGE, PICTURE = ROOT / "build/bench/cwru.rst", ROOT / "docs/images/cwru.png"
-THRUST, LOAD, OIL, TEMPERATURE = 30.0, 10.0, "vg68", 40.0  # N, N, -, C; not known for this motor
+THRUST, LOAD, OIL, TEMPERATURE = 30.0, 10.0, "vg68", 40.0  # N, N, -, C; unknown for this motor
 THRUSTS = np.array([20.0, 25.0, 30.0, 40.0, 50.0])
-CLEARANCES = -5e-6, 20e-6  # m, range
-WITHIN = 2e-4  # of the orders
+CLEARANCES = -5e-6, 20e-6  # m, range of the clearance
+WITHIN = 2e-4  # relative error of the orders
 
 
 class Setup(NamedTuple):
-    """A row of the table."""
+    """One set-up of the bearing, a row of the table."""
 
     name: str
     line: str  # BPFI or BPFO
-    orders: dict[float, float]  # by nominal rpm
+    orders: dict[float, float]  # keyed by nominal rpm
 
 
 def setups():
@@ -53,7 +53,7 @@ def setups():
 
 
 def readings(setup, speeds, unknown, axial=THRUST):
-    """Return the `Readings` of a set-up at some of its speeds."""
+    """Return the `Readings` for a set-up at some of its speeds."""
     known = dict(clearance=0.0, load=LOAD, axial=axial, temperature=TEMPERATURE)
     for name in unknown:
         del known[name]
@@ -63,19 +63,19 @@ def readings(setup, speeds, unknown, axial=THRUST):
 
 
 def clearance(setup, axial=THRUST):
-    """Return the clearance (`identify.Value`) from the first speed alone, and the state."""
+    """Return (clearance (`identify.Value`), state) found from the first speed alone."""
     first = next(iter(setup.orders))
     found = identify.identify(readings(setup, [first], {"clearance": CLEARANCES}, axial))
     return found.values["clearance"], found.state
 
 
 def predicted(setup, state):
-    """Return the orders of the line at all speeds of the set-up in a `state`."""
+    """Return the orders of the line at all speeds of the set-up for a given `state`."""
     return np.array([one.value for one in Model(readings(setup, setup.orders, {})).predict(state)])
 
 
 def of_a_run(setup, play, folder):
-    """Return the order of the line that follows from the cage speed of a run at the first speed."""
+    """Return the order of the line for the cage speed of a run at the first speed."""
     words = dict(
         bearing="6205", lubricant=OIL, models="full", rpm=next(iter(setup.orders)), load=LOAD,
         axial=THRUST, clearance=play, passes=10, settle=20, record="summary", out=folder,
@@ -92,7 +92,7 @@ def of_a_run(setup, play, folder):
 
 
 def picture(found, ridges):
-    """Plot measured minus predicted orders, and clearances against thrust."""
+    """Plot the measured minus the predicted orders, and the clearances against the thrust."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 4.2), layout="constrained")
     for k, (setup, _, orders, _) in enumerate(found.values()):
         measured = np.array(list(setup.orders.values()))
@@ -131,7 +131,10 @@ def main(argv):
                 f" {1e6 * value.high:.1f}; {off:.1e}; {ran / measured[0] - 1:+.1e}"
             )
             print(lines[-1], flush=True)
-    lines += ["", "Clearance in µm by thrust in N: " + ", ".join(f"{one:g}" for one in THRUSTS)]
+    lines += [
+        "",
+        "Clearance in µm for a thrust in N of " + ", ".join(f"{one:g}" for one in THRUSTS),
+    ]
     lines += [f"{name}: " + ", ".join(f"{1e6 * one:.1f}" for one in ridge)
               for name, ridge in ridges.items()]  # fmt: skip
     print("\n".join(lines))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run decks as a user does, and read their cost from the output folders."""
+"""Run decks in the same way as a user, and read their cost from the output folders."""
 
 import subprocess
 import sys

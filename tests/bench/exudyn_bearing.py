@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run Exudyn's ball bearing with the dimensions of a 6208: python exudyn_bearing.py SETTINGS (a
-JSON object).
+"""Run Exudyn's ball bearing with the dimensions of a 6208:
 
-Settings: stiffness (N/m^exponent), exponent, damping (N s/m), friction, zone (m/s, sliding speed
-from which friction is fully developed), load (N, towards -y), speed (rad/s), step, ramp, settle and
-window (s), sampling period (s, a multiple of step), and a folder for the sensor files, or "" to
-write no files if only the time matters. Prints one JSON line: the wall seconds of the time loop,
-the simulated seconds, and for each sample of the window the position of the ring (m), the positions
-of the balls (m) and their inner loads (N); or the error that stopped the solver and the time (s) it
-had reached.
+    python exudyn_bearing.py SETTINGS
+
+SETTINGS is a JSON object with these keys: stiffness (N/m^exponent), exponent, damping (N s/m),
+friction, zone (m/s, sliding speed at which friction is fully developed), load (N, towards -y),
+speed (rad/s), step, ramp, settle and window (s), sampling period (s, a multiple of step), and
+folder, which is the folder for the sensor files, or "" to write no files if only the time matters.
+The program prints one line of JSON. It contains the wall seconds of the time loop, the simulated
+seconds and, for each sample of the window, the position of the ring (m), the positions of the balls
+(m) and their inner loads (N). If the solver stops, the line contains its error and the time (s)
+that was reached.
 """
 
 import json
@@ -26,8 +28,8 @@ RING_MASS, RING_INERTIA = 0.2, (6.5e-5, 6.5e-5, 1.2e-4)  # kg, kg m^2
 
 
 def model(case):
-    """Return (system, inner contacts, balls and inner ring). The outer ring is fixed; the inner
-    ring is driven and free to move in its plane."""
+    """Return (system, inner contacts, bodies of balls and inner ring). The outer ring is fixed; the
+    inner ring is driven and free to move in its plane."""
     system = exu.SystemContainer().AddSystem()
     pitch = (INNER + OUTER) / 2
     data = GetBallBearingData(
@@ -49,7 +51,7 @@ def model(case):
     system.CreateCoordinateConstraint(
         bodyNumbers=[ring, None], coordinates=[5, None], velocityLevel=True, offset=case["speed"]
     )
-    for held in (2, 3, 4):  # z and both tilts
+    for held in (2, 3, 4):  # the displacement along z and both tilts
         system.CreateCoordinateConstraint(bodyNumbers=[ring, None], coordinates=[held, None])
     orbit = case["speed"] * INNER / (2 * pitch)
     made = CreateBallBearing(
@@ -79,7 +81,7 @@ def model(case):
 
 
 def sensors(system, contacts, bodies, folder):
-    """Return (contact force files, body position files), both empty without a folder."""
+    """Return (contact force files, body position files), which are empty if there is no folder."""
     kinds, files = exu.OutputVariableType, ([], [])
     if not folder:
         return files
@@ -97,12 +99,12 @@ def sensors(system, contacts, bodies, folder):
 
 
 def table(file):
-    """Return the rows (time, x, y, z) that a sensor wrote."""
+    """Return the rows (time, x, y, z) that a sensor has written."""
     return np.loadtxt(file, delimiter=",", comments="#")
 
 
 def run(case):
-    """Return the result that the module's docstring describes, as a dict."""
+    """Return the result described in the docstring of the module as a dict."""
     system, contacts, bodies = model(case)
     forces, places = sensors(system, contacts, bodies, case["folder"])
     system.Assemble()
@@ -129,7 +131,7 @@ def run(case):
     wall = time.perf_counter() - start
     if not case["folder"]:
         return {"wall": wall, "simulated": end}
-    system.Reset()  # closes the files
+    system.Reset()  # this closes the files
     load = np.linalg.norm([table(file)[:, 1:] for file in forces], axis=2).T
     place = np.array([table(file)[:, 1:3] for file in places]).swapaxes(0, 1)
     late = table(places[0])[:, 0] > case["settle"] + case["period"] / 2
@@ -143,6 +145,6 @@ def run(case):
 
 
 if __name__ == "__main__":
-    # old names of settings that Exudyn's examples still use
+    # Exudyn's own examples still use old names of settings
     warnings.simplefilter("ignore", DeprecationWarning)
     print(json.dumps(run(json.loads(sys.argv[1]))))

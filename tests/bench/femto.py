@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Model the temperatures of the bearing of the PRONOSTIA rig (FEMTO) at 1800 rpm and 4 kN. The
+"""Model the temperatures of the bearing in the PRONOSTIA rig (FEMTO) at 1800 rpm and 4 kN. The
 script fits three parameters of the housing to three measured runs, compares time jumps with full
-integration, and simulates a cold start of ten minutes with the main deck. Writes
+integration, and simulates the first ten minutes after a cold start with the main deck. It writes
 build/bench/femto.rst.
 
-Losses and contact conductances come from statics with the models `full`; heat capacities of
-rings and balls follow from their dimensions. The warm runs start with the housing at ambient
-temperature: the data suggest that recording began with a warm bearing.
+Losses and contact conductances are computed by statics with the models `full`; the heat capacities
+of rings and balls follow from their dimensions. In the warm runs, the housing starts at ambient
+temperature: the data suggest that the recording began with a warm bearing.
 """
 
 import csv
@@ -28,7 +28,7 @@ ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).with_suffix("")
 PAGE, PICTURE = ROOT / "build/bench/femto.rst", ROOT / "docs/images/femto.png"
 AMBIENT, LOAD, RPM, OIL = 26.5, 4000.0, 1800.0, "vg68"
-FIRST, LAST = 10.0, 240.0  # min, range of the fit
+FIRST, LAST = 10.0, 240.0  # min, time range of the fit
 GUESS = dict(seat=0.45, housing=1.1, capacity=2200.0)
 OILS = np.array([26.5, 35, 45, 55, 65, 75, 85, 95, 105, 115, 125, 140])  # C
 
@@ -41,7 +41,8 @@ class Losses(NamedTuple):
     contacts: np.ndarray  # (N, 2)
 
     def at(self, oil):
-        """Return ([inner, outer] in W, [inner, outer] in W/K) for oil at `oil` degrees C."""
+        """Return ([inner, outer] in W, [inner, outer] in W/K) for an oil temperature of `oil`
+        degrees C."""
         return tuple(
             [float(np.interp(oil, OILS, column)) for column in table.T]
             for table in (self.sides, self.contacts)
@@ -49,7 +50,7 @@ class Losses(NamedTuple):
 
 
 def measured():
-    """Return {run: (minutes, temperatures in C)}."""
+    """Return {run: (minutes, temperatures in C)} as measured."""
     lines = (HERE / "measured.csv").read_text().splitlines()
     rows = list(csv.reader(line for line in lines if not line.startswith("#")))
     minutes = np.array(rows[0][1:], float)
@@ -97,7 +98,8 @@ def network(contacts, seat, housing, capacity):
 
 
 def integrated(table, start, minutes, seat, housing, capacity):
-    """Integrate the temperatures (C) of inner ring, balls, outer ring and housing: (M, 4)."""
+    """Return the temperatures (M, 4) in C of inner ring, balls, outer ring and housing by
+    integration."""
     own = np.array([*capacities(), capacity])
 
     def rate(_, t):
@@ -118,8 +120,8 @@ def integrated(table, start, minutes, seat, housing, capacity):
 
 
 def jumps(table, start, until, change, housing_of):
-    """Return times (s), temperatures (C) with shape (N, 4), and the number of simulated ball
-    passes, with time jumps."""
+    """Advance with time jumps, and return (times in s, temperatures (N, 4) in C, number of
+    simulated ball passes)."""
     control = dict(
         change=change, error=0.5, until=until, steady=0.05, hottest=200.0, share=0.2, both_ends=1.0
     )
@@ -141,7 +143,8 @@ def jumps(table, start, until, change, housing_of):
 
 
 def fit(table):
-    """Fit the parameters of the housing; also return the largest deviation (K) from three runs."""
+    """Return the fitted parameters of the housing, and the largest deviation (K) from three
+    runs."""
     runs = measured()
 
     def missing(logs):
@@ -163,7 +166,7 @@ def fit(table):
 
 
 def error_of_jumps(table, of, change):
-    """Return the largest error (K) in a cold start of four hours and the number of ball passes."""
+    """Return (largest error in K during four hours after a cold start, number of ball passes)."""
     start = measured()["cold start"][1][0]
     rows, passes = jumps(table, start, 60 * LAST, change, of)
     keep = np.flatnonzero(np.diff(rows[:, 0], prepend=-1.0))
@@ -172,7 +175,8 @@ def error_of_jumps(table, of, change):
 
 
 def cold_start(of, folder, until=600.0, change=2.0):
-    """Run the main deck from cold with time jumps and return the dataset of its temperatures."""
+    """Run the main deck with time jumps from a cold start, and return the dataset of its
+    temperatures."""
     variables = dict(
         bearing=HERE / "bearing", lubricant=OIL, load=LOAD, rpm=RPM, heat="yes", ambient=AMBIENT,
         warm_start=measured()["cold start"][1][0], warm_time=until, warm_change=change,
@@ -190,7 +194,7 @@ def cold_start(of, folder, until=600.0, change=2.0):
 
 
 def picture(table, of):
-    """Plot the measured and the fitted temperatures next to the outer ring."""
+    """Plot the measured and the fitted temperature next to the outer ring."""
     figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
     minutes = np.linspace(0, LAST, 200)
     for k, (name, (read, seen)) in enumerate(measured().items()):

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure the cost of recording one bearing and fleets; writes build/bench/fleet_record.rst.
+"""Measure the cost of a record for a single bearing and for fleets, and write
+build/bench/fleet_record.rst.
 
     .venv/bin/python tests/bench/fleet_record.py [rounds]
 
 Runs of in.many with a record of all contacts at several instants of every host step alternate with
-the same runs without output; the page lists the ratios of their costs. The cost of a run is that of
-its last 90 %: the cost of a run with a tenth of the steps is subtracted. The script opens each
-record to check that it has the requested number of samples, and checks that the run without output
-has no record.
+the same runs without output; the page lists the ratios of their costs. The cost of a run refers to
+its last 90 %, because the cost of a run with a tenth of the steps is subtracted. The script opens
+each record to check that it contains the requested number of samples, and checks that the run
+without output wrote no record.
 """
 
 import sys
@@ -20,8 +21,8 @@ import raceway
 from machine import bench_file, csv_table, machine
 
 WITHIN = 5  # samples per host step
-STEP = 8.75e-4  # s: 200 samples per ball pass, as in the main deck
-STEPS = {1: 4000, 100: 80, 1000: 20}  # number of bearings: host steps
+STEP = 8.75e-4  # s; 200 samples per ball pass, as in the main deck
+STEPS = {1: 4000, 100: 80, 1000: 20}  # {number of bearings: host steps}
 MODELS = ("paper", "full")
 PAGE = bench_file("fleet_record.rst")
 DECK = """include inputs/in.many
@@ -34,7 +35,7 @@ RECORD = "fix record all bearing/record 1 {out} within {within} overwrite yes"
 
 
 def run(folder, bearings, models, steps, recorded, instructions):
-    """Check the record of one run and return its (seconds, instructions or None)."""
+    """Run the deck once, check its record, and return (seconds, instructions or None)."""
     out = folder / ("record" if recorded else "nothing")
     record = RECORD.format(out=out, within=WITHIN) if recorded else ""
     deck = folder / "in.fleet"
@@ -57,14 +58,14 @@ def run(folder, bearings, models, steps, recorded, instructions):
         sys.exit(f"{out}: a record {'is missing' if recorded else 'was written'}")
     if recorded:
         found = raceway.open(out).select(1).bearing.sizes["time"]
-        if found != WITHIN * steps + 1:  # one more sample at the start
+        if found != WITHIN * steps + 1:  # there is one more sample at the start
             sys.exit(f"{out} has {found} samples, not {WITHIN * steps + 1}")
     return cost
 
 
 def ratios(folder, bearings, models, rounds, instructions):
-    """Return the ratios of the cost with to the cost without a record: ([of seconds, ...], [of
-    instructions, ...])."""
+    """Return ([ratios of seconds], [ratios of instructions]), which compare the cost of runs with a
+    record to that of runs without one."""
     found = ([], [])
     steps = STEPS[bearings]
     for n in range(rounds):
@@ -93,15 +94,16 @@ def main(rounds=5):
         "Recording fleets",
         "================",
         "",
-        f"A record of all contacts at {WITHIN} instants per host step of {STEP * 1e3:g} ms,",
-        "200 samples per ball pass, divided by the same run without output; median (range) of",
+        f"Cost of a run that records all contacts at {WITHIN} instants per host step of"
+        f" {STEP * 1e3:g} ms (200 samples per",
+        "ball pass), divided by the cost of the same run without output: median (range) over",
         f"{rounds} rounds, {date.today()}.",
         "",
         *csv_table(("models", "bearings", "user seconds", "instructions"), rows),
         *(f"- {fact}" for fact in machine()),
     ]
     PAGE.write_text("\n".join(lines) + "\n")
-    print(f"{PAGE} is written")
+    print(f"wrote {PAGE}")
 
 
 if __name__ == "__main__":

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Count how often the true values lie inside the 95 % intervals of `identify`, for runs whose
-clearance, loads and oil temperature it is not given. Writes build/bench/identify.rst.
+"""Count how often the 95 % intervals of `identify` contain the true values, for runs whose
+clearance, loads and oil temperature are hidden from it. Write build/bench/identify.rst.
 
 The input of `identify` is one of two sets of readings, each with a normally distributed random
-error: cage speed and capacitance at three operating points, or four lines at one point (every
-second time together with the load and the oil temperature). `identify.py N` runs N states of each
-set (default 30).
+error: cage speed and capacitance at three operating points, or four lines at one point. In every
+second state of the latter, the load and the oil temperature are given too. `identify.py N` runs N
+states for each set (default: 30).
 """
 
 import subprocess
@@ -28,14 +28,15 @@ RANGES = {
     "load": (5.0, 300.0),
     "temperature": (25.0, 90.0),
 }
-# standard deviations of the cage line (absolute), and of capacitance and other lines (relative)
+# standard deviations of the cage line (absolute), of capacitance and of other lines (relative)
 ORDER, CAPACITANCE, LINE = 1e-4, 0.01, 2e-4
-WANTED = 0.9  # ranges of the states
+WANTED = 0.9  # smallest fraction of true values inside their intervals
 LUBRICANT = "vg100"
 
 
 def drawn(random, least):
-    """Draw a state in which all balls are loaded; `least` is the least radial load over thrust."""
+    """Draw a state in which all balls are loaded; `least` is the smallest ratio of radial load to
+    thrust."""
     axial = float(np.exp(random.uniform(np.log(60), np.log(350))))
     return {
         "clearance": random.uniform(1e-6, 14e-6),
@@ -68,7 +69,7 @@ def run(state, point, folder):
 
 
 def capacitances(number, folder):
-    """Return (true state, `identify.Found`) from cage speed and capacitance at `POINTS`."""
+    """Return (true state, `identify.Found`), found from cage speed and capacitance at `POINTS`."""
     random = np.random.default_rng(number)
     state, rows = drawn(random, 0.25), []
     for point in POINTS:
@@ -84,7 +85,7 @@ def capacitances(number, folder):
 
 
 def lines(number, folder):
-    """Return (true state with its contact angle, `identify.Found`) from four lines."""
+    """Return (true state with its contact angle, `identify.Found`), found from four lines."""
     random = np.random.default_rng(1000 + number)
     state, speed = drawn(random, 0.1), POINTS[0].rpm / 60
     of = run(state, POINTS[0], folder)
@@ -103,7 +104,7 @@ def lines(number, folder):
 
 
 def inside(state, found):
-    """Return {quantity: whether the true value lies in its interval}."""
+    """Return {quantity: whether its true value lies within its interval}."""
     result = {name: one.low <= state[name] <= one.high for name, one in found.values.items()}
     if "angle" in state:
         result["angle"] = found.angle.low <= state["angle"] <= found.angle.high
@@ -131,7 +132,7 @@ def main():
             rows.append(f"* {'; '.join(cells)}")
             print(f"{rows[-1]} (chi {found.chi:.1f})", flush=True)
         said = [f"{name} {sum(rights)} of {len(rights)}" for name, rights in score.items()]
-        page += [f"True values inside the stated 95 %: {', '.join(said)}.", "", *rows, ""]
+        page += [f"True values inside the 95 % intervals: {', '.join(said)}.", "", *rows, ""]
         print(page[-len(rows) - 3])
         missed |= any(np.mean(rights) < WANTED for rights in score.values())
     PAGE.write_text("\n".join(page))

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run larger than the memory that reading it should need: simulates a 6208 until its record has
-2 GB, reads it in every way that the package offers, and writes seconds and memory to
-build/bench/large_runs.rst.
+"""Read a run that is larger than the memory that reading it should need. The script simulates a
+6208 until its record has 2 GB, reads the record in every way that the package offers, and writes
+the seconds and the memory to build/bench/large_runs.rst.
 
     .venv/bin/python tests/bench/large_runs.py [GIGABYTES [FOLDER]]
 
-A large enough run in FOLDER (default build/run/large) is reused, and a new run is kept there for
-reuse. Exit code 1 if anything fails, needs 1 GB of memory, or takes longer than LONGEST.
+If FOLDER (default: build/run/large) contains a large enough run, this run is used; otherwise a new
+run is made there and kept. The exit code is 1 if anything fails, needs 1 GB of memory, or takes
+longer than LONGEST.
 """
 
 import subprocess
@@ -21,7 +22,7 @@ ROOT = Path(__file__).resolve().parents[2]
 LIMIT = 1000  # MB
 FIGURES, LARGEST = "all figures (`raceway summary`)", "largest load of each ball"
 LONGEST = {FIGURES: 3.0, LARGEST: 1.0}  # s
-TASKS = {  # name: statements about `run`, executed in a separate process
+TASKS = {  # {name: statements about `run`, executed in a separate process}
     "load the package only": "",
     FIGURES: "run.summary()",
     "bearing totals, every sample": "run.bearing",
@@ -49,7 +50,7 @@ TASKS = {  # name: statements about `run`, executed in a separate process
 
 
 def run_deck(folder, passes):
-    """Run the main deck with a record in `folder`."""
+    """Run the main deck for a number of ball passes with a record in `folder`."""
     print(f"simulating {passes} ball passes into {folder}", flush=True)
     words = [ROOT / "build" / "liggghts", "-in", "inputs/in.6208", "-log", "none"]
     for name, value in {"passes": passes, "out": folder, "overwrite": "yes"}.items():
@@ -62,7 +63,7 @@ def run_deck(folder, passes):
 
 
 def passes_of(folder):
-    """Ball passes of a finished run; 0 if there is none."""
+    """Return the number of ball passes of a finished run, or 0 if there is none."""
     if not (folder / "run.yaml").exists():
         return 0
     said = dict(line.split(": ", 1) for line in (folder / "run.yaml").open() if ": " in line)
@@ -70,8 +71,8 @@ def passes_of(folder):
 
 
 def simulate(folder, size):
-    """Ball passes of the run in `folder`, which is made if missing, with a length estimated from a
-    short run."""
+    """Return the number of ball passes of the run in `folder`. If it is missing or too small, make
+    a run whose length is estimated from a short run."""
     record = folder / "record.nc"
     if not (passes_of(folder) and record.stat().st_size >= size):
         run_deck(folder, 4)
@@ -80,7 +81,8 @@ def simulate(folder, size):
 
 
 def measure(folder, task, middle):
-    """(seconds excluding the import of the package, largest resident memory in MB) of a task."""
+    """Return (seconds without the import of the package, largest resident memory in MB) for a
+    task."""
     code = (
         "import sys, time, warnings; warnings.simplefilter('ignore'); import raceway\n"
         "raceway.open(sys.argv[1], slice(0, 1))  # loads all modules, and next to no data\n"
@@ -101,7 +103,7 @@ def measure(folder, task, middle):
 
 
 def main():
-    """Simulate, measure, print, write."""
+    """Simulate, measure, print the results and write the page."""
     gigabytes = float(sys.argv[1]) if len(sys.argv) > 1 else 2.0
     folder = Path(sys.argv[2] if len(sys.argv) > 2 else ROOT / "build/run/large").resolve()
     passes = simulate(folder, gigabytes * 1e9)
@@ -116,17 +118,17 @@ def main():
         "Large runs",
         "==========",
         "",
-        f"Measured on {date.today()}: {passes} ball passes of the main deck, {passes * 200}"
-        f" samples; ``record.nc`` {size:.2f} GB.",
+        f"Measured on {date.today()}: {passes} ball passes of the main deck with {passes * 200}"
+        f" samples; the size of ``record.nc`` is {size:.2f} GB.",
         "",
     ]
     lines += [f"- {fact}" for fact in machine()]
     lines += [
         "",
         *"""\
-Each task runs in a separate process. Seconds exclude loading the package, which the first row
-shows. Files may or may not be in the page cache. Memory is the largest resident size of the
-process.
+Each task runs in a separate process. The seconds do not include the time to load the package, which
+is listed in the first row. Files may or may not be in the page cache. Memory is the largest
+resident size of the process.
 """.splitlines(),
         "",
         *csv_table(
@@ -139,7 +141,7 @@ process.
     worst = max(memory for *_, memory in rows)
     print(f"largest memory {worst:.0f} MB, limit {LIMIT} MB")
     slow = [name for name, seconds, _ in rows if seconds > LONGEST.get(name, 1e9)]
-    print("longer than the limit:", ", ".join(slow) or "nothing")
+    print("above the time limit:", ", ".join(slow) or "nothing")
     return int(worst >= LIMIT or bool(slow))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Folder of the pages that `make bench` writes, and a description of the machine."""
+"""Provide the folder of the pages that `make bench` writes, and a description of the machine."""
 
 import platform
 import re
@@ -13,13 +13,14 @@ YARDSTICK = Path(__file__).with_name("yardstick.cpp")
 
 
 def bench_file(name):
-    """Path of a page or picture, in a folder that is created if missing."""
+    """Return the path of a page or picture; its folder is created if it is missing."""
     PAGES.mkdir(parents=True, exist_ok=True)
     return PAGES / name
 
 
 def yardstick(rounds=9):
-    """Seconds that the fixed work of yardstick.cpp takes: median, smallest, largest of `rounds`."""
+    """Return the time in s of the fixed work of yardstick.cpp: (median, smallest, largest) of
+    `rounds`."""
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "yardstick"
         subprocess.run(["g++", "-std=c++17", "-O2", YARDSTICK, "-o", program], check=True)
@@ -31,7 +32,7 @@ def yardstick(rounds=9):
 
 
 def csv_table(head, rows):
-    """Lines of a csv-table of `rows` under `head`, one row per line."""
+    """Return the lines of a csv-table with the heading `head`, one line per row."""
 
     def cell(value):
         text = str(value)
@@ -42,7 +43,8 @@ def csv_table(head, rows):
 
 
 def machine():
-    """Lines with processor, versions of compiler and hosts, and the time of the yardstick."""
+    """Return lines with the processor, the versions of compiler and hosts, and the time of the
+    yardstick."""
     cpu = re.search(r"model name\s*:\s*(.+)", Path("/proc/cpuinfo").read_text()).group(1)
     gcc = subprocess.run(
         ["g++", "--version"], capture_output=True, text=True, check=True
@@ -54,7 +56,7 @@ def machine():
         check=True,
     ).stdout
     return [
-        f"processor: {cpu}, one core used, machine shared with other work",
+        f"processor: {cpu}, one core used; the machine was shared with other work",
         f"compiler: {gcc}",
         f"host: LIGGGHTS {package} (Debian)",
         f"system: {platform.platform(terse=True)}",

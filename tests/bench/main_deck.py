@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed and error of the main deck with its record, by models, speed and integrator; writes
-build/bench/main_deck.rst.
+"""Measure the speed and the error of the main deck with its record, for several models, speeds and
+integrators, and write build/bench/main_deck.rst.
 
     .venv/bin/python tests/bench/main_deck.py [ROUNDS]
 
-All settings take turns in every round; medians count. Errors are relative to the same deck with a
-fine tolerance.
+All settings alternate within every round, and medians over the rounds are used. Errors are relative
+to the same deck with a fine tolerance.
 """
 
 import statistics
@@ -21,25 +21,25 @@ from deck_runs import cost, factor, run_deck
 from machine import bench_file, machine
 
 MODELS = ("paper", "full")
-ASKED = {47.75: 250.0, 477.5: 30.0, 9549.0: 2.0}  # rpm: real-time factor
-REFERENCE = {"implicit": 1e-10, "damping": 1e-9}  # tolerance, m
-HIGH_SPEED = 9549.0  # rpm above which damping is left out, because its steps would be too short
+ASKED = {47.75: 250.0, 477.5: 30.0, 9549.0: 2.0}  # {rpm: required real-time factor}
+REFERENCE = {"implicit": 1e-10, "damping": 1e-9}  # m, tolerance
+HIGH_SPEED = 9549.0  # rpm; below it, `damping` is left out, because its steps would be too short
 SAMPLES = 200  # per ball pass
 TIMED, COMPARED = 40, 4  # ball passes
-SETTLE = 4  # ball passes, for a run and for its reference: balls are then in equal places
-LEAST = 0.01  # share of the largest load; contacts below it are left out of the film's error
+SETTLE = 4  # ball passes, also for the reference, so that the balls are at the same positions
+LEAST = 0.01  # fraction of the largest load; contacts below it are left out of the film error
 HEADS = (
     "models",
     "rpm",
     "integrator",
     "real-time factor",
     "required",
-    "nothing written",
+    "without output",
     "evaluations per ball pass",
     "loads, one instant",
     "films, one instant",
     "largest load, mean",
-    "least film, mean",
+    "smallest film, mean",
     "cage speed, mean",
     "friction power, mean",
 )
@@ -49,14 +49,15 @@ The main deck: speed and error
 
 Written by ``tests/bench/main_deck.py`` (``make bench``), {today}.
 
-The main deck with its defaults, at 5 kN, with {samples} samples per ball pass. Speeds are
-real-time factors over {timed} ball passes, with the full record and without output, as medians
-of {rounds} rounds. Times include writing all samples to the operating system.
+The main deck was run with its defaults at 5 kN, with {samples} samples per ball pass. The speeds
+are real-time factors over {timed} ball passes, with the full record and without output, as medians
+of {rounds} rounds. The times include writing all samples to the operating system.
 
-Errors are relative, over {compared} ball passes. The reference has a tolerance of 0.1 nm, also for
-cage balls, and 1 nm with *damping*. Loads are compared contact by contact, relative to the largest
-load. Films are compared for contacts with at least 1 % of the largest load, and means over all
-{compared} ball passes. With ``full`` the motion of the cage is chaotic, so that only means repeat.
+Errors are relative and were computed over {compared} ball passes. The reference has a tolerance of
+0.1 nm, also for cage balls, or 1 nm with *damping*. Loads are compared contact by contact, relative
+to the largest load. Films are compared for contacts with at least 1 % of the largest load, and
+means over all {compared} ball passes. With ``full``, the motion of the cage is chaotic, so that
+only means are reproducible.
 
 .. list-table::
    :header-rows: 1
@@ -64,11 +65,11 @@ load. Films are compared for contacts with at least 1 % of the largest load, and
 {table}
 
 Time budget at the required factor
-----------------------------
+----------------------------------
 
-A real-time factor determines the time available per sample. A recorded sample needs one evaluation
-of all contacts, its columns and the file; the steps need evaluations of their own. All times are
-in microseconds per sample, with the faster integrator:
+The real-time factor determines the time that is available per sample. A recorded sample requires
+one evaluation of all contacts, the computation of its columns, and writing to the file; the steps
+require further evaluations. All times are in microseconds per sample, with the faster integrator:
 
 .. list-table::
    :header-rows: 1
@@ -80,7 +81,7 @@ in microseconds per sample, with the faster integrator:
 
 
 class Scene(NamedTuple):
-    """A setting of the main deck."""
+    """A setting of the main deck that is measured."""
 
     models: str
     rpm: float
@@ -88,12 +89,12 @@ class Scene(NamedTuple):
 
 
 def integrators(rpm):
-    """Rows measured at a speed."""
+    """Return the integrators that are measured at a speed."""
     return [name for name in REFERENCE if name == "implicit" or rpm >= HIGH_SPEED]
 
 
 def played(scene, folder, **more):
-    """Run a scene with its output in `folder`; return the folder."""
+    """Run a scene with its output in `folder`, and return the folder."""
     run_deck(
         "inputs/in.6208",
         out=folder,
@@ -108,7 +109,7 @@ def played(scene, folder, **more):
 
 
 def recorded(folder):
-    """Quantities of a run to compare: (loads, films, {name: mean})."""
+    """Return the quantities of a run that are compared: (loads, films, {name: mean})."""
     with xr.open_dataset(folder / "record.nc", decode_times=False) as record:
         inner = record.bearing_load_inner
         means = {
@@ -125,7 +126,8 @@ def recorded(folder):
 
 
 def errors(found, truth):
-    """Errors of loads and films at single instants, then errors of the means."""
+    """Return the errors of loads and films at single instants, followed by the errors of the
+    means."""
     largest = truth[0].max()
     both = (found[0] > LEAST * largest) & (truth[0] > LEAST * largest)
     return [
@@ -136,20 +138,20 @@ def errors(found, truth):
 
 
 def listed(rows):
-    """Rows of a list-table."""
+    """Return the rows formatted for a list-table."""
     cells = ("\n     - ".join(map(str, row)) for row in rows)
     return "\n".join(f"   * - {row}" for row in cells)
 
 
 def compared(scene, folder):
-    """Errors of a scene relative to the same scene with a fine tolerance."""
+    """Return the errors of a scene relative to the same scene with a fine tolerance."""
     fine = REFERENCE[scene.integrator]
     truth = recorded(played(scene, folder, passes=COMPARED, tolerance=fine, cage_tolerance=fine))
     return errors(recorded(played(scene, folder, passes=COMPARED)), truth)
 
 
 def measured(scenes, folder, rounds):
-    """({(scene, record): real-time factor}, {scene: evaluations})"""
+    """Return ({(scene, record): real-time factor}, {scene: evaluations})."""
     speeds, evaluations = {}, {}
     for number in range(rounds):
         print(f"round {number + 1} of {rounds}", flush=True)
@@ -163,7 +165,7 @@ def measured(scenes, folder, rounds):
 
 
 def main():
-    """Measure, print, write."""
+    """Measure, print the results and write the page."""
     rounds = int(sys.argv[1]) if len(sys.argv) > 1 else 5
     scenes = [Scene(m, rpm, i) for m in MODELS for rpm in ASKED for i in integrators(rpm)]
     with tempfile.TemporaryDirectory() as name:
@@ -188,7 +190,7 @@ def main():
                 *(f"{error:.0e}" for error in wrong[scene]),
             )
         )
-    budget = [("models", "rpm", "asked factor leaves", "whole", "steps", "record", "by")]
+    budget = [("models", "rpm", "available", "total", "steps", "record", "integrator")]
     for models in MODELS:
         for rpm in ASKED:
             best = max(

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure the cost of many bearings in one box, on one rank and on two; writes build/bench/many.rst
-with a model for clusters.
+"""Measure the cost of many bearings in one box, on one rank and on two, and write
+build/bench/many.rst with a model for clusters.
 
     .venv/bin/python tests/bench/many.py [rounds]
 
-The runs of a round follow one another, so that a drift of the machine affects all of them; ratios
-are formed within a round.
+The runs of a round are made one after another, so that a drift of the machine affects all of them;
+ratios are formed within a round.
 """
 
 import math
@@ -28,8 +28,8 @@ ENVIRONMENT = dict(
     OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
     OMPI_MCA_mpi_yield_when_idle="0",
 )
-# step in s, host steps of the timed run (with one bearing, with many), duration in s of the load
-# ramp before the timed run; 140 steps are a ball pass
+# s, time step; host steps of the timed run (with one bearing, with many); s, duration of the load
+# ramp before the timed run; a ball pass has 140 steps
 INTEGRATORS = {
     "verlet": {"step": 4e-7, "steps": (400_000, 1000), "settle": 4e-4},
     "implicit": {"step": 2.5e-4, "steps": (70_000, 140), "settle": 2e-2},
@@ -37,9 +37,9 @@ INTEGRATORS = {
 ALIKE = {"fleet": "alike", "lubricant": "mineral", "models": "paper", "record": "none"}
 RANKS = (100, 1000, 10_000)
 FLEETS = (10_000, 100_000, 1_000_000)
-LATENCY, BANDWIDTH = 2e-6, 1e10  # s, bytes/s: a usual cluster network; not measured here
+LATENCY, BANDWIDTH = 2e-6, 1e10  # s, bytes/s, typical of a cluster; not measured here
 PACK = (
-    # time to pack and unpack a ghost, s; about the time of a copy from outside the cache, not
+    # s, time to pack and unpack a ghost; about the time of a copy from outside the cache, not
     # measured here
     20e-9
 )
@@ -47,14 +47,14 @@ GHOST_BYTES = 72  # position, velocity, spin
 
 
 def run(ranks, steps, folder, **variables):
-    """Return the results of one run of in.many: times (s) of all loops, of a bearing-step and of
-    the host's part of a bearing-step; memory (kB) and ghosts per rank."""
+    """Return the results of one run of in.many: the times (s) of all loops, of a bearing-step and
+    of the host's part of a bearing-step, and the memory (kB) and the number of ghosts per rank."""
     implicit, settle = (
         variables["integrator"] == "implicit",
         INTEGRATORS[variables["integrator"]]["settle"],
     )
     deck = folder / "in.bench"
-    # the load is applied in a first run; the last run is timed
+    # the load is applied during a first run; the last run is timed
     deck.write_text(
         f"include inputs/in.many\nundump table\nrun {steps}\n"
         + ('variable made equal f_move[3]\nprint "internal steps ${made}"\n' if implicit else "")
@@ -117,7 +117,7 @@ def run(ranks, steps, folder, **variables):
 
 
 def state(ranks, folder, **variables):
-    """Return the last state of many different bearings, in full precision."""
+    """Return the last state of many different bearings with all digits."""
     command = [ROOT / "build" / "liggghts", "-in", "tests/hosts/in.many_bits", "-log", "none"]
     for name, value in {"out": folder, **variables}.items():
         command += ["-var", name, value]
@@ -135,8 +135,8 @@ def state(ranks, folder, **variables):
     )
     if done.returncode:
         sys.exit(f"failed on {ranks} ranks:\n{done.stdout[-2000:]}")
-    # rows of tables, sorted by step: their order may depend on the number of ranks, but not their
-    # bits
+    # rows of tables, sorted by step: the order of the rows, but not their bits, may depend on the
+    # number of ranks
     return (
         sorted((folder / "bearings.dump").read_text().splitlines()),
         (folder / "last.dump").read_text(),
@@ -144,8 +144,8 @@ def state(ranks, folder, **variables):
 
 
 def measure(rounds, folder):
-    """Return a dictionary for each round and integrator, with the seconds per bearing and host
-    step, and the other results."""
+    """Return a dictionary for each round and integrator, which contains the seconds per bearing and
+    host step, and the other results."""
     results = {}
     for name, how in INTEGRATORS.items():
         one, many = how["steps"]
@@ -205,7 +205,7 @@ def span(rows, key, scale=1.0, digits=3):
 
 
 def model(seconds, ghosts, fleet, ranks):
-    """Return (seconds per host step, parallel efficiency) for bearings in a square grid, which is
+    """Return (seconds per host step, parallel efficiency) for bearings in a square grid that is
     divided into equal squares, one per rank."""
     n = math.ceil(fleet / ranks)
     work = n * seconds
@@ -225,7 +225,7 @@ def page(results, equal, set_ups, rounds):
         "=============",
         "",
         *f"""\
-``inputs/in.many`` with {MANY} bearings 6208 under 5 kN at 477.5 rpm, all alike, with film,
+``inputs/in.many`` was run with {MANY} identical 6208 bearings under 5 kN at 477.5 rpm, with film,
 friction and cage, in a square grid. Measured on {date.today()}, {rounds} rounds. The values are
 medians, with the range over the rounds in brackets. Ratios are formed within a round.
 """.splitlines(),
@@ -234,15 +234,15 @@ medians, with the range over the rounds in brackets. Ratios are formed within a 
     lines += [f"- {fact}" for fact in machine()]
     lines += [
         "",
-        "One rank and two",
-        "----------------",
+        "One rank and two ranks",
+        "----------------------",
         "",
         *"""\
-*bearing-step*: wall time of the run divided by its steps and bearings. Steps of velocity Verlet
-are 0.4 µs long. Internal steps of the implicit integrator are about 200 µs long, with host steps of
-250 µs and without output. *ratio*: bearing-step with many bearings in a box divided by that of a
-single bearing, both on one rank. *efficiency* of two ranks: time on one rank divided by twice the
-time on two.
+*bearing-step*: wall time of the run divided by its steps and bearings. The steps of velocity Verlet
+are 0.4 µs long. The internal steps of the implicit integrator are about 200 µs long, with host
+steps of 250 µs and without output. *ratio*: bearing-step with many bearings in a box divided by
+that with a single bearing, both on one rank. *efficiency* of two ranks: time on one rank divided by
+twice the time on two ranks.
 """.splitlines(),
         "",
     ]
@@ -273,32 +273,37 @@ time on two.
     )
     lines += [
         *"""\
-A ratio above 1 has two causes. A single bearing stays in the caches of its core, whereas many
-bearings are fetched from main memory once per host step (the table lists their memory). On the
+There are two reasons for a ratio above 1. A single bearing stays in the caches of its core, whereas
+many bearings are fetched from main memory once per host step (the table lists their memory). On the
 other hand, a single bearing carries the whole fixed cost of a host step. Identical bearings share
-the solver of the implicit step, which stays in the caches: only the state of a bearing is fetched.
+the solver of the implicit step, which stays in the caches, so that only the state of a bearing is
+fetched.
 """.splitlines(),
         "",
         *f"""\
-The last states of {MANY} bearings that differ in load, speed, azimuth and lubricant were compared
-bit by bit on 1, 2 and 4 ranks (4 on two cores):
+The final states of {MANY} bearings that differ in load, speed, azimuth and lubricant were compared
+bitwise between 1, 2 and 4 ranks (4 ranks on two cores):
 """.splitlines(),
-        "; ".join(f"{name}: {'equal' if same else '**different**'}" for name, same in equal.items())
+        "; ".join(
+            f"{name}: {'identical' if same else '**different**'}" for name, same in equal.items()
+        )
         + ".",
         "",
-        "Set-up, one rank: "
+        "Set-up on one rank: "
         + "; ".join(f"{n} bearing{'s' if n > 1 else ''} {seconds:.2g} s" for n, seconds in set_ups)
         + ".",
         *"""\
-A ``create_bearing`` adds its atoms to the host's map, which is rebuilt every thousand atoms. It
-still searches for the largest tag of its rank, which takes a nanosecond for every few atoms.
+Each ``create_bearing`` command adds its atoms to the host's map, which is rebuilt after every
+thousand atoms. It still searches for the largest tag on its rank, which takes about a nanosecond
+for every few atoms.
 
 Clusters: a model
 -----------------
 
-All ranks communicate together in two cases only: the check for new neighbour lists, and output.
-Otherwise a rank computes its bearings and exchanges messages with its neighbours, four in a
-plane grid. With :math:`n = N/P` bearings on a rank,
+There are only two cases in which all ranks communicate with each other: the check for new neighbour
+lists, and output. Otherwise, a rank computes its bearings and exchanges messages with its
+neighbours, of which there are four in a plane grid. With :math:`n = N/P` bearings per rank, the
+time per host step is
 
 .. math::
 
@@ -306,13 +311,13 @@ plane grid. With :math:`n = N/P` bearings on a rank,
 """.splitlines(),
         "",
         *f"""\
-Two quantities are measured: the cost :math:`c` of a bearing in a host step, among many, and the
-number :math:`g` of ghost atoms per bearing along a cut. Three are assumed, not measured: latency
-:math:`L` = {LATENCY * 1e6:.0f} µs, bandwidth :math:`B` = {BANDWIDTH / 1e9:.0f} GB/s, and
-:math:`p` = {PACK * 1e9:.0f} ns to pack and unpack a ghost. A ghost has :math:`b` = {GHOST_BYTES}
-bytes (position, velocity, spin). A bearing on a cut costs one or two additional short
-messages: the sums over its ring and, with the implicit step, the state of its bodies, in both
-directions.
+Two quantities are measured: the cost :math:`c` per host step of a bearing among many, and the
+number :math:`g` of ghost atoms per bearing along a cut. Three quantities are assumed: the latency
+:math:`L` = {LATENCY * 1e6:.0f} µs, the bandwidth :math:`B` = {BANDWIDTH / 1e9:.0f} GB/s, and the
+time :math:`p` = {PACK * 1e9:.0f} ns to pack and unpack a ghost. A ghost has :math:`b` =
+{GHOST_BYTES} bytes (position, velocity, spin). A bearing on a cut requires one or two additional
+short messages in both directions: for the sums over its ring and, with the implicit step, for the
+state of its bodies.
 """.splitlines(),
         "",
     ]
@@ -358,18 +363,18 @@ directions.
         "-------------------------",
         "",
         *"""\
-- Ranks get equal volumes. If bearings differ in cost (the implicit step refines some more
-  than others), the slowest rank sets the pace. A grid that cannot be divided evenly among ranks
-  also costs more.
-- The model assumes that messages within a rank are free and that every bearing costs the same. A
-  network shared with others is slower.
-- After every new neighbour list each rank sends every other rank the sizes of its messages, a few
+- Ranks are assigned equal volumes. If bearings differ in cost (the implicit step refines some more
+  than others), the slowest rank determines the speed. A grid that cannot be divided evenly among
+  the ranks also increases the cost.
+- The model assumes that messages within a rank cost nothing and that every bearing costs the same.
+  A network that is shared with other jobs is slower.
+- After every new neighbour list, each rank sends every other rank the sizes of its messages, a few
   bytes for each rank. With the implicit step this happens every few host steps, with Verlet every
   few thousand.
-- With the implicit step all ranks exchange lists of the rings that belong together: about 24 bytes
-  per ring and rank that sees it. Above about 10\\ :sup:`5` bearings these lists, not the bearings,
-  set the pace.
-- The host's map of atoms takes 4 bytes for every atom of the box on every rank. That is 80 MB at
+- With the implicit step, all ranks exchange lists of the rings that belong together: about 24 bytes
+  for each ring and each rank that sees it. Above about 10\\ :sup:`5` bearings, these lists rather
+  than the bearings determine the speed.
+- On every rank, the host's map of atoms takes 4 bytes for every atom in the box, i.e. 80 MB for
   10\\ :sup:`6` bearings. Each fix bearing/ring takes 4 bytes for every ring.
 - ``thermo`` with compute bearing/total gathers all balls on all ranks. The table of compute
   bearing/ring does not.
@@ -399,7 +404,10 @@ def main():
                 "models": "paper",
                 "overwrite": "yes",
             }
-            print(f"{integrator}: comparing the results on 1, 2 and 4 ranks", flush=True)
+            print(
+                f"{integrator}: checking that results on 1, 2 and 4 ranks are bitwise identical",
+                flush=True,
+            )
             states = []
             for ranks in (1, 2, 4):
                 (folder / str(ranks)).mkdir(exist_ok=True)

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Plot numerical error and model error in one diagram; writes build/bench/model_error.rst and the
-diagram.
+"""Plot the numerical error and the model error in one diagram, and write
+build/bench/model_error.rst and the diagram.
 
     .venv/bin/python tests/bench/model_error.py
 
-Every set of models runs with a range of tolerances. The total error is measured as `raceway needs`
-does, relative to the full model with a fine integration. The numerical error is relative to the
-same set of models with the same fine integration.
+Every set of models is run with a range of tolerances. The total error is measured in the same way
+as by `raceway needs`, relative to the full model with a fine integration. The numerical error is
+measured relative to the same set of models with the same fine integration.
 """
 
 import sys
@@ -38,34 +38,35 @@ MODELS = {"paper": ("#0072b2", "o"), "film": ("#d55e00", "s"), "full": ("#009e73
 FIGURES = {"torque": "friction torque", "capacitance": "capacitance", "load": "largest load"}
 TOLERANCES = ("1e-6", "3e-7", "1e-7", "3e-8", "1e-8", "3e-9", "1e-9", "3e-10", "1e-10")  # m
 SAMPLES = 200  # per ball pass
-COARSE, USUAL = "1e-6", "1e-9"  # tolerance of the table, m
-LEAST = 1e-6  # smaller errors are drawn as this: the reference is not more accurate
+COARSE, USUAL = "1e-6", "1e-9"  # m, tolerances in the table
+LEAST = 1e-6  # smaller errors are drawn at this value, because the reference is not more accurate
 
 
 class Found(NamedTuple):
-    """Return the results of a run under the names that `raceway needs` uses, and its number of
-    contact evaluations."""
+    """The results of a run, keyed by the names that `raceway needs` uses, and its number of contact
+    evaluations."""
 
     figures: dict[str, float]
     evaluations: float
 
 
 class Curve(NamedTuple):
-    """Runs of one set of models in a scene, by tolerance, and the run with fine integration."""
+    """Runs of one set of models in a scene, keyed by tolerance, and the run with fine
+    integration."""
 
     runs: dict[str, Found]
     fine: Found
 
 
 def played(folder: Path, **variables: object) -> Found:
-    """Run the main deck once."""
+    """Run the main deck once and return its results."""
     run_deck("inputs/in.6208", out=folder, **{**REFERENCE, **SAME, **variables})
     summary = Run(folder).summary()
     return Found(figures(summary), summary["evaluations"])
 
 
 def curves(scene: dict[str, float], folder: Path) -> dict[str, Curve]:
-    """Return the `Curve` of every set of models in a scene."""
+    """Return the `Curve` for every set of models in a scene."""
     found = {}
     for models in MODELS:
         own = {**scene, "models": models}
@@ -100,7 +101,7 @@ def draw(results: dict[str, dict[str, Curve]]) -> None:
                     (curve.fine, ":", "none"),
                 ):
                     if dash == ":" and models == "full":
-                        continue  # the same line
+                        continue  # this would be the same line
                     height = [max(error(run, truth, yardstick, word), LEAST) for run in runs]
                     order = sorted(zip(cost, height))
                     label = f"{models}: " + ("numerical error" if dash == ":" else "total error")
@@ -127,7 +128,8 @@ def draw(results: dict[str, dict[str, Curve]]) -> None:
 
 
 def table(results: dict[str, dict[str, Curve]]) -> list[str]:
-    """Tabulate the model errors, and the numerical errors at a coarse and at a usual tolerance."""
+    """Tabulate the model errors, and the numerical errors at a coarse and at the usual
+    tolerance."""
     rows = []
     for scene, found in results.items():
         yardstick = found["full"].fine
@@ -161,21 +163,21 @@ def page(results: dict[str, dict[str, Curve]]) -> str:
             "=================================",
             "",
             *f"""\
-The main deck ran with three sets of models, {SAMPLES} samples per ball pass. Tolerances range from
-1 µm to 0.1 nm. Errors of means over a ball pass are relative to ``full`` at 0.01 nm and 800
-samples, as in :doc:`needs`. Filled marks show the total error, open marks the numerical error
-alone, relative to the same models integrated equally finely. All errors are divided by the values
-for ``full``.
+The main deck was run with three sets of models and {SAMPLES} samples per ball pass. Tolerances
+range from 1 µm to 0.1 nm. As in :doc:`needs`, errors of means over a ball pass are relative to
+``full`` at 0.01 nm and 800 samples. Filled marks show the total error, and open marks the numerical
+error alone, relative to the same models with equally fine integration. All errors are divided by
+the values for ``full``.
 
 .. image:: model_error.png
    :alt: error against evaluations, for three sets of models
 
-Where a solid line is level, the model error dominates, and a finer tolerance gains nothing:
-numerical errors are far below it. Where open marks are level, only the error of a mean over
-{SAMPLES} samples remains.
+Where a solid line is level, the model error dominates, and a finer tolerance brings no gain,
+because numerical errors are far below it. Where the open marks are level, only the error of a mean
+over {SAMPLES} samples remains.
 
 Errors below {LEAST:g} are drawn at {LEAST:g}. With ``paper`` and ``film`` there is hardly any
-friction torque, so its relative error is 1. In the table, *model* is the error at the finest
+friction torque, so its relative error is 1. In the table, *model* is the error with the finest
 integration.
 """.splitlines(),
             "",

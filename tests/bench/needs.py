@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Judge the answers of `raceway needs` for 20 random scenes by further runs that the command did
-not make; writes build/bench/needs.rst.
+"""Check the recommendations of `raceway needs` for 20 random scenes by further runs that the
+command did not make, and write build/bench/needs.rst.
 
     .venv/bin/python tests/bench/needs.py [--print]     --print: do not write the page
 
-The exit code is 1 if fewer than 19 answers meet the wanted accuracy, or if the median cost is above
-a fifth of the cost of the fine full model.
+The exit code is 1 if fewer than 19 recommendations meet the requested accuracy, or if their median
+cost is more than a fifth of the cost of the fine full model.
 """
 
 import json
@@ -30,11 +30,11 @@ from raceway.sweeps.scene_parts import figures as of_summary  # noqa: E402
 
 TARGET = bench_file("needs.rst")
 SCENES, SEED = 20, 16
-KEPT, CHEAPER = 19, 5  # the requirements
+KEPT, CHEAPER = 19, 5  # required number of accurate recommendations, and of times cheaper
 WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
 EXACT = {**REFERENCE, "tolerance": "1e-11", "samples": "1000"}  # finer than the command's reference
-SAME = ("passes", "surroundings")  # in all scenes
-HEAD = ["scene", *WANTED, "cost", "evaluations", "times cheaper", "left out, coarsened"]
+SAME = ("passes", "surroundings")  # these are the same in all scenes
+HEAD = ["scene", *WANTED, "cost", "evaluations", "times cheaper", "omitted or coarsened"]
 
 
 def scene(draw):
@@ -65,12 +65,12 @@ def figures(folder, variables):
 
 
 def row(own, folder):
-    """Return (table cells, whether the wanted accuracy is met, cost), or None for a scene that the
-    engine rejects with the full model."""
+    """Return (table cells, whether the requested accuracy is met, cost), or None for a scene that
+    the engine rejects with the full model."""
     name = ", ".join(f"{key} {value}" for key, value in own.items() if key not in SAME)
     exact = figures(folder / "exact", {**own, **EXACT})
     if isinstance(exact, str):
-        print(name, "refused:", exact, flush=True)
+        print(name, "rejected:", exact, flush=True)
         return None
     code = raceway(["needs", "inputs/in.6208", *words(own), "--out", str(folder / "needs")])
     assert code == 0, name
@@ -107,11 +107,11 @@ def main():
     kept, middle, text = page(rows, refused)
     print(text) if "--print" in sys.argv else TARGET.write_text(text)
     if kept < KEPT or middle < CHEAPER:
-        sys.exit(f"{kept} of {SCENES} answers are accurate, {middle:.1f} times cheaper")
+        sys.exit(f"{kept} of {SCENES} recommendations are accurate, and {middle:.1f} times cheaper")
 
 
 def page(rows, refused):
-    """Return (number of answers that meet the wanted accuracy, median factor, page)."""
+    """Return (number of recommendations that meet the requested accuracy, median factor, page)."""
     kept = sum(good for _, good, _ in rows)
     cheaper = [1 / cost for _, _, cost in rows]
     middle = statistics.median(cheaper)
@@ -123,21 +123,22 @@ def page(rows, refused):
         "================",
         "",
         *f"""\
-``raceway needs`` (:doc:`../needs`) was run with ``--want {wanted}`` in {SCENES} scenes of a 6208.
-They were drawn at random with seed {SEED}. Gaps are flooded. Written on {date.today()}:
+``raceway needs`` (:doc:`../needs`) was run with ``--want {wanted}`` for {SCENES} scenes of a 6208,
+which were drawn at random with seed {SEED}. Gaps are flooded. Written on {date.today()}:
 """.splitlines(),
         "",
         *(f"- {line}" for line in machine()),
         "",
         *f"""\
-The errors are found with one more run with the settings of the answer, compared with a run of the
-full model at a tolerance of 0.01 nm and 1000 samples per ball pass, which the command does not
-use. {kept} of {SCENES} answers meet the wanted accuracy; {KEPT} are required.
+The errors were determined by one more run with the recommended settings. It was compared with a run
+of the full model with a tolerance of 0.01 nm and 1000 samples per ball pass, which the command does
+not use. {kept} of {SCENES} recommendations meet the requested accuracy; {KEPT} are required.
 
-The fine full model has a tolerance of 0.1 nm and 400 samples per ball pass. The answers are
-{middle:.1f} times cheaper (median, range {min(cheaper):.1f} to {max(cheaper):.1f}); {CHEAPER} is
-required. Cost is processor time, the median of three runs. The engine rejected {refused} more
-scenes with the full model, so the command gave no answer.
+The fine full model has a tolerance of 0.1 nm and 400 samples per ball pass. The recommended
+settings are {middle:.1f} times cheaper (median, range {min(cheaper):.1f} to {max(cheaper):.1f}); a
+factor of {CHEAPER} is required. The cost is the processor time, as the median of three runs. The
+engine rejected {refused} further scenes with the full model, for which the command therefore gave
+no recommendation.
 """.splitlines(),
         "",
         *csv_table(HEAD, [cells for cells, _, _ in rows]),

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Compare the vibration of a perfect bearing with that of a bearing with 0.01 um of waviness on its
-inner raceway, both with integrator vibration; writes build/bench/noise_floor.rst.
+inner raceway, both with the integrator `vibration`, and write build/bench/noise_floor.rst.
 
     .venv/bin/python tests/bench/noise_floor.py [--print]     --print: do not write the page
 
-The exit code is 1 if the perfect bearing exceeds a tenth of the amplitude of the wave's line.
+The exit code is 1 if the amplitude of the perfect bearing exceeds a tenth of that of the wave's
+line.
 """
 
 import sys
@@ -25,63 +26,64 @@ TARGET = bench_file("noise_floor.rst")
 SCENE = dict(bearing=6205, load=500, rpm=1797, lubricant="vg46", passes=80, settle=10)
 MODE = dict(integrator="vibration", housing="springs", record="summary")
 RATE = 48e3  # Hz
-BAND = (20.0, 0.4 * RATE)  # band above the influence of the filter, Hz
+BAND = (20.0, 0.4 * RATE)  # Hz, range in which the noise floor is determined
 WAVE = 1e-8  # m
-# {number of waves on the inner raceway: shaft order that is added to BPFI}, for Z - 1 and Z + 1
+# {number of waves on the inner raceway: shaft order added to BPFI}, for Z - 1 and Z + 1
 WAVES = {8: -1, 10: 1}
-ENDS = 100  # samples affected by the filter
+ENDS = 100  # number of samples at each end that are affected by the filter
 PAGE = """\
 Noise floor of vibration
 ========================
 
 Written by ``tests/bench/noise_floor.py`` (``make bench``).
 
-A perfect bearing is not silent, because its stiffness varies as balls pass, at BPFO and harmonics
-of BPFO. All other lines of its spectrum are numerical noise. Here this noise is compared with the
+A perfect bearing is not silent, because its stiffness varies as balls pass, at BPFO and its
+harmonics. All other lines in its spectrum are numerical noise. Here this noise is compared with the
 lines of a bearing with waves of {wave:g} µm on its inner raceway. The bearing is a 6205 at {rpm}
 rpm under {load} N with VG 46. Signals are sampled at {rate:g} kHz, with ``-var integrator
 vibration`` and ``-var housing springs``. The record is {seconds:.2f} s long.
 
-The perfect bearing, accelerations along the load in m/s²:
+Accelerations of the perfect bearing along the load, in m/s²:
 
 {perfect}
 
-* *rms*: root mean square of the whole signal, nearly all of it at BPFO and its harmonics.
-* *median*: median amplitude between {low:g} Hz and {high:g} kHz, the noise floor of a line.
+* *rms*: root mean square of the whole signal, which is nearly all at BPFO and its harmonics.
+* *median*: median amplitude between {low:g} Hz and {high:g} kHz, which is the noise floor for a
+  line.
 
-Lines of inner-raceway waves in m/s², and the amplitude of the perfect bearing at the same
-frequency:
+Lines caused by waves on the inner raceway, in m/s², and the amplitude of the perfect bearing at the
+same frequency:
 
 {waves}
 
-Waves of order :math:`Z - 1` produce a line at BPFI - shaft, waves of order :math:`Z + 1` at BPFI +
-shaft. The housing's acceleration is small at these lines: the housing is a mass of 2 kg on stiff
-springs, and only the inertia of the inner ring excites it.
+Waves of order :math:`Z - 1` cause a line at BPFI - shaft, and waves of order :math:`Z + 1` a line
+at BPFI + shaft. The acceleration of the housing is small at these lines, because the housing is a
+mass of 2 kg on stiff springs that is excited only by the inertia of the inner ring.
 """
 
 
 def run(folder, **words):
-    """Run the scene with additional variables."""
+    """Run the scene with additional variables, and return the run."""
     succeed("inputs/in.6208", out=folder, timeout=1200, **SCENE, **MODE, **words)
     return Run(folder)
 
 
 def of_ring(run, ring):
-    """Return the spectrum (m/s^2) of the acceleration of a ring along the load, and its rms."""
+    """Return (spectrum in m/s^2 of the acceleration of a ring along the load, its rms)."""
     heard = sensor.of_run(run, "ay", ring, RATE).to_numpy()[ENDS:-ENDS]
     return spectrum.spectrum(heard, 1 / RATE), float(heard.std())
 
 
 def line(found, run, shift):
-    """Return the amplitude (m/s^2) at BPFI + `shift` times the shaft frequency, for the cage speed
-    of the run."""
+    """Return the amplitude (m/s^2) at BPFI plus `shift` times the shaft frequency, where BPFI
+    follows from the cage speed of the run."""
     order, hertz = spectrum.places(run, harmonics=1)["BPFI", 1]
     hertz += shift * hertz / order
     return float(found.sel(frequency=hertz, method="nearest"))
 
 
 def main() -> int:
-    """Write the page."""
+    """Compute the results and write the page."""
     with tempfile.TemporaryDirectory() as place:
         perfect = run(Path(place) / "perfect")
         wavy = {

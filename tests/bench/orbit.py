@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare the results and force evaluations of the main deck with `settle orbit` with those of long
-settling; writes build/bench/orbit.rst.
+"""Compare the results and the force evaluations of the main deck with `settle orbit` with those
+after long settling, and write build/bench/orbit.rst.
 
     .venv/bin/python tests/bench/orbit.py [SCENE ...]
 
-Results are means over one ball pass of the orbit. They are compared with `MEASURED` ball passes of
-a run that has settled for 30 ball passes, or for as many as its scene needs to become steady. The
-evaluations during settling and one measured ball pass are compared with those during 30 ball
-passes of settling and one measured ball pass. The number of evaluations does not depend on the load
-of the machine.
+The results are means over one ball pass of the orbit. They are compared with means over `MEASURED`
+ball passes of a run that has settled for 30 ball passes, or for as many as its scene needs to
+become steady. The evaluations during settling and one measured ball pass are compared with those of
+a run with 30 ball passes of settling and one measured ball pass. The number of evaluations does not
+depend on the load of the machine.
 """
 
 import sys
@@ -30,7 +30,8 @@ THRUST = {"bearing": "7205B", "load": "1e-3"}
 
 
 class Scene(NamedTuple):
-    """Variables of the deck, and the number of ball passes after which a marching run is steady."""
+    """Variables of the deck, and the number of ball passes after which a conventional run is
+    steady."""
 
     words: dict
     steady: int = SETTLED
@@ -38,8 +39,10 @@ class Scene(NamedTuple):
 
 ORBITS = {
     "preload, 2 kN, 1500 rpm": Scene({**TIGHT, "load": 2000, "rpm": 1500}),
-    "the same, one-piece cage": Scene({**TIGHT, "load": 2000, "rpm": 1500, "cage": "ring"}),
-    "the same, no cage": Scene({**TIGHT, "load": 2000, "rpm": 1500, "cage": "no"}),
+    "preload, 2 kN, 1500 rpm, one-piece cage": Scene(
+        {**TIGHT, "load": 2000, "rpm": 1500, "cage": "ring"}
+    ),
+    "preload, 2 kN, 1500 rpm, no cage": Scene({**TIGHT, "load": 2000, "rpm": 1500, "cage": "no"}),
     "preload, 1 kN, 200 rpm": Scene({**TIGHT, "load": 1000, "rpm": 200}),
     "preload, 3 kN, 9549 rpm": Scene({**TIGHT, "load": 3000, "rpm": 9549}),
     "preload of 40 um, 5 kN, 477.5 rpm": Scene({"clearance": "-40e-6", "load": 5000, "rpm": 477.5}),
@@ -60,14 +63,14 @@ WITHOUT = {
 }
 HEADS = (
     *("scene", "ball passes", "evaluations", "for 30 ball passes", "ratio"),
-    *("torque", "largest load", "least film", "cage speed"),
+    *("torque", "largest load", "smallest film", "cage speed"),
 )
 PAGE = """\
 The orbit of a ball pass
 ========================
 
-Written by ``tests/bench/orbit.py``, {today}. ``settle orbit`` is compared with runs that settle for
-30 ball passes; errors are relative to {measured} ball passes of a steady run.
+Written by ``tests/bench/orbit.py``, {today}. Runs with ``settle orbit`` are compared with runs that
+settle for 30 ball passes. Errors are relative to {measured} ball passes of a steady run.
 
 .. list-table::
    :header-rows: 1
@@ -82,8 +85,8 @@ Scenes without an orbit
 
 
 def figures(folder):
-    """Return mean values: friction torque (N m), largest load of a contact at an instant (N),
-    minimum film thickness at the largest inner load (m), cage speed (rad/s)."""
+    """Return (friction torque (N m), largest contact load at an instant (N), minimum film thickness
+    at the largest inner load (m), cage speed (rad/s)), each as a mean value."""
     tables = RunTables(folder)
     found = summary(tables)
     loads = tables.contacts["load"].to_numpy().reshape(len(tables.totals), -1)
@@ -95,8 +98,8 @@ def figures(folder):
 
 
 def settled(folder, settle, words, passes=1):
-    """Return the host's output, the notes of the run, and its evaluations up to the end of one
-    measured ball pass."""
+    """Return (output of the host, notes of the run, evaluations up to the end of one measured ball
+    pass)."""
     given = {"models": "full", **words, "settle": settle, "passes": passes}
     said = run_deck(DECK, **given, out=folder, overwrite="yes")
     noted = cost(folder)

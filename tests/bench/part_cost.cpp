@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Measures the time of the contact laws alone, part by part, for part_cost.py. Prints one line per law, "NAME
-// BASE explicit implicit", with times in ns per contact. Explicit is an evaluation in doubles;
-// implicit is an evaluation with derivatives, of four contacts side by side.
+// Measures the time of the contact laws alone, part by part, for part_cost.py. The program prints
+// one line per law, "NAME BASE explicit implicit", with times in ns per contact. Explicit is an
+// evaluation in doubles; implicit is an evaluation with derivatives, for four contacts at a time.
 #include "../../src-package/core/contact/contact.h"
 #include "../../src-package/core/contact/contact_slopes.h"
 
@@ -14,7 +14,7 @@ using namespace raceway;
 
 namespace {
 
-constexpr int contacts = 4096;    // small enough for their states to stay in the cache of one core
+constexpr int contacts = 4096;    // few enough for their states to stay in the cache of one core
 
 struct Scene {
   RacewayPhysics p;
@@ -27,7 +27,7 @@ struct Film {
   InletShear shear = InletShear::murch;
 };
 
-// Contacts of a 6208 at 477.5 rpm with loads up to 2.4 kN, rolling with a little slip.
+// Return contacts of a 6208 at 477.5 rpm with loads up to 2.4 kN, which roll with a little slip.
 Scene scene(unsigned parts, const Film &film)
 {
   Scene s;
@@ -122,7 +122,7 @@ template <class L> struct Implicit {
   }
 };
 
-// In a vector a plain Lane may be aligned to 16 bytes only (lane.h).
+// A plain Lane in a vector may be aligned to only 16 bytes (lane.h).
 struct alignas(sizeof(Lane)) State {
   Lane of;
 };
@@ -135,7 +135,7 @@ template <class L> void report(const char *name, int base, const Film &film = {}
   std::vector<double> one(contacts * (L::states + 1));
   std::vector<State> four(contacts / lanes * (L::states + 1));
   double least[2] = {HUGE_VAL, HUGE_VAL};
-  // the minimum is least disturbed by other work on the machine
+    // the minimum is affected least by other work on the machine
   for (int round = 0; round < 40; ++round) {
     const double t0 = seconds();
     kept += explicit_pass<L>(s, one.data());
@@ -159,20 +159,20 @@ int main()
 {
   report<DryLaw<>>("Hertz, hysteretic damping", -1);
   report<LubricatedLaw<>>("film thickness, film damper of eq 5", 0);
-  report<GapLaw<>>("film in the gap, instead of Hertz alone", 1);
-  report<FullLaw<>>("film's branch, instead of eq 5", 2);
+  report<GapLaw<>>("film in the gap instead of Hertz alone", 1);
+  report<FullLaw<>>("film branch instead of eq 5", 2);
   report<FullLaw<ConstantFrictionPart, SmoothedFrictionPart>>("smoothed friction", 3);
   report<FullLaw<StribeckFrictionPart, SmoothedFrictionPart>>("Stribeck's coefficient", 4);
   report<FullLaw<MixedFrictionPart, SmoothedFrictionPart>>("mixed coefficient", 4);
-  report<Slip<>>("differential slip, instead of smoothed friction", 6);
+  report<Slip<>>("differential slip instead of smoothed friction", 6);
   report<Slip<HydrodynamicRollingPart>>("hydrodynamic rolling", 7);
   report<Slip<HydrodynamicRollingPart, RollingHysteresisPart>>("hysteresis in rolling", 8);
   report<Slip<HydrodynamicRollingPart, RollingHysteresisPart, SpinPart>>("spin", 9);
   report<Slip<HydrodynamicRollingPart, RollingHysteresisPart, SpinPart, DragPart>>("drag", 10);
   report<FullLaw<MixedFrictionPart, SlipSlicesPart, HydrodynamicRollingPart, RollingHysteresisPart,
-                 DragPart>>("slip and spin in slices, instead of their closed forms", 11);
-  report<FullLaw<>>("film of all regimes, instead of the power law", 3, {true});
-  report<FullLaw<>>("inlet shear after Gupta, instead of Murch and Wilson", 3,
+                 DragPart>>("slip and spin in slices instead of closed-form laws", 11);
+  report<FullLaw<>>("film of all regimes instead of the power law", 3, {true});
+  report<FullLaw<>>("inlet shear after Gupta instead of Murch and Wilson", 3,
                     {false, InletShear::gupta});
   fprintf(stderr, "%g\n", kept);
 }

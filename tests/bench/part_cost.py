@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure the cost of each part of the contact law alone (part_cost.cpp), and of complete runs with
-the models `paper`, `film` and `full`; writes build/bench/part_cost.rst."""
+"""Measure the cost of each part of the contact law alone (part_cost.cpp), and the cost of complete
+runs with the models `paper`, `film` and `full`, and write build/bench/part_cost.rst."""
 
 import statistics
 import subprocess
@@ -31,7 +31,7 @@ def build(folder):
 
 
 def parts(program):
-    """Return [(name, base, explicit, implicit)], with times in ns per contact."""
+    """Return [(name, base, explicit, implicit), ...], where the times are in ns per contact."""
     text = subprocess.run([program], capture_output=True, text=True, check=True).stdout
     rows = [line.split("|") for line in text.splitlines()]
     return [(name, int(base), float(one), float(four)) for name, base, one, four in rows]
@@ -39,7 +39,7 @@ def parts(program):
 
 def whole():
     """Return {models: (ns per step of velocity Verlet, ns per simulated ms of the implicit
-    step)}."""
+    integrator)}."""
     found = {}
     for models in MODELS:
         verlet = measure("in.cost", dict(models=models))[0]
@@ -71,10 +71,10 @@ def main():
         "",
         *"""\
 The laws are evaluated alone, for 4096 loaded contacts of a 6208. *Adds* is the difference from the
-law on which a row builds, in the same round. Explicit is one evaluation in doubles; implicit is an
-evaluation with derivatives, for four contacts at a time. The fraction is the cost of a part in the
-explicit evaluation of nine contacts, relative to a step of velocity Verlet with ``full``. The
-values are medians, with the range over the rounds in brackets.
+law on which a row builds, in the same round. *Explicit* is one evaluation in doubles; *implicit* is
+an evaluation with derivatives, for four contacts at a time. The fraction relates the explicit
+evaluation of a part for nine contacts to a step of velocity Verlet with ``full``. The values are
+medians, with the range over the rounds in brackets.
 """.splitlines(),
         "",
     ]
@@ -109,8 +109,8 @@ values are medians, with the range over the rounds in brackets.
         "----------",
         "",
         *"""\
-The bearing is a 6208 under 5 kN at 477.5 rpm with its cage. The implicit step has a tolerance of 1
-nm, and 0.1 µm for cage balls with ``film`` and ``full``, and host steps of 0.1 ms.
+The bearing is a 6208 with its cage under 5 kN at 477.5 rpm. The implicit step has a tolerance of 1
+nm (0.1 µm for cage balls with ``film`` and ``full``) and host steps of 0.1 ms.
 """.splitlines(),
         "",
     ]

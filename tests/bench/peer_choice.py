@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Choose the best setting of a program for peers.py: the cheapest one in a short list with results
-within 1e-3 of those of the program's finest setting."""
+"""Choose the best setting of a program for peers.py, which is the cheapest in a short list whose
+results are within 1e-3 of those with the program's finest setting."""
 
 import statistics
 from collections.abc import Callable, Sequence
@@ -10,18 +10,19 @@ import numpy as np
 from peer_runs import Failure, Outcome
 
 ALLOWED = 1e-3
-RUNS = 3  # runs of a setting that is accurate enough; their median cost counts
+RUNS = 3  # number of runs of an accurate setting, whose median cost is used
 
 
 class Setting(NamedTuple):
-    """A step or a tolerance."""
+    """A time step or a tolerance of a program."""
 
     words: str
     call: Callable[..., Outcome]  # takes output=True or False
 
 
 class Peer(NamedTuple):
-    """A program whose result converges, with its coarser settings and the finest as reference."""
+    """A program whose results converge, with its coarser settings and its finest setting as
+    reference."""
 
     name: str
     settings: Sequence[Setting]
@@ -29,7 +30,7 @@ class Peer(NamedTuple):
 
 
 class Tried(NamedTuple):
-    """Result with a setting."""
+    """The result with one setting."""
 
     words: str
     error: float  # relative to the finest setting; inf if the run failed or cannot be compared
@@ -44,7 +45,7 @@ class Choice(NamedTuple):
 
 
 def error(found: Outcome, truth: Outcome) -> float:
-    """Return the largest difference in inner load over all balls and samples, relative to the
+    """Return the largest difference between inner loads over all balls and samples, relative to the
     largest load."""
     if found.loads is None or truth.loads is None or found.loads.shape != truth.loads.shape:
         return np.inf
@@ -52,7 +53,7 @@ def error(found: Outcome, truth: Outcome) -> float:
 
 
 def choose(peer: Peer) -> Choice:
-    """Return the cheapest setting of a peer with an error of at most ALLOWED, or the finest setting
+    """Return the cheapest setting of a peer whose error is at most ALLOWED, or the finest setting
     if all errors are larger."""
     truth = peer.finest.call()
     tried = []

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run a 6208 in stock LIGGGHTS, Exudyn and Raceway, and judge the runs by the exact static load;
-for peers.py.
+"""Run a 6208 in stock LIGGGHTS, Exudyn and Raceway for peers.py, and compare the runs with the
+exact static load.
 
 Runs with `output` write the data that a user would want to see, every PERIOD unless stated
-otherwise. Runs without output write nothing, and only their cost counts.
+otherwise. Runs without output write nothing, and only their cost is used.
 """
 
 import json
@@ -27,8 +27,8 @@ from host import tables  # noqa: E402
 DECKS = Path("tests/bench/peers")
 OUT = Path("build/bench/peers")
 LOAD, SPEED = 5000.0, 50.0  # N along -y, rad/s
-PERIOD = 1.76e-4  # seconds between samples, about 200 samples per ball pass
-PASSES = 8  # ball passes in runs of Raceway
+PERIOD = 1.76e-4  # s between samples, about 200 samples per ball pass
+PASSES = 8  # number of ball passes in Raceway's runs
 NAMES = (
     "balls",
     "ball_diameter",
@@ -54,7 +54,7 @@ STIFFNESS = [
     for side in (INNER, OUTER)
 ]
 IN_SERIES = sum(k ** (-2 / 3) for k in STIFFNESS) ** -1.5
-BOTH_ALIKE = 2**1.5 * IN_SERIES  # stiffness of each of two equal contacts, in series IN_SERIES
+BOTH_ALIKE = 2**1.5 * IN_SERIES  # stiffness of two equal contacts with IN_SERIES in series
 SPHERE_ON_PLANE = 2 / 3 * BEARING.effective_modulus * BEARING.ball_radius**0.5
 
 
@@ -63,8 +63,8 @@ PASS = 4 * np.pi / (BEARING.balls * SPEED * (1 - DATA["ball_diameter"] / (2 * PI
 
 
 class Sample(NamedTuple):
-    """Values at one instant: the displacement (2,) of the inner ring in m, and the positions (n, 2)
-    of the balls in m with their inner loads (n,) in N."""
+    """Values at one instant: the displacement (2,) of the inner ring in m, the positions (n, 2) of
+    the balls in m, and their inner loads (n,) in N."""
 
     shift: np.ndarray
     balls: np.ndarray
@@ -72,26 +72,26 @@ class Sample(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """Result of one run: its cost, and the load of the ball nearest the load line compared with
-    exact theory (see `judge`)."""
+    """The result of one run: its cost, and the load of the ball nearest the load line in comparison
+    with the exact theory (see `judge`)."""
 
-    cost: float  # wall s per simulated s
+    cost: float  # wall time in s per simulated s
     step: float  # s
     simulated: float  # s
     same_shift: float = np.nan
     low: float = np.nan
     high: float = np.nan
     same_load: float = np.nan
-    left: int = BEARING.balls  # balls still in the bearing
+    left: int = BEARING.balls  # number of balls that are still in the bearing
     loads: np.ndarray | None = None  # inner loads (samples, balls), N
 
 
 class Failure(Exception):
-    """A peer did not run; the text states the reason."""
+    """A peer did not run; the text states why."""
 
 
 def exact_shift():
-    """Return the exact displacement (m) of the inner ring towards the load, with one ball on the
+    """Return the exact displacement (m) of the inner ring towards the load when one ball is on the
     load line."""
     rest = static.equilibrium(BEARING, LOAD, load_azimuth=-np.pi / 2, phase=-np.pi / 2)
     load, _ = exact(rest.shift[:2], np.stack([np.cos(rest.azimuth), np.sin(rest.azimuth)], 1))
@@ -101,11 +101,11 @@ def exact_shift():
 
 
 def exact(shift, balls):
-    """Return the exact static loads (n,) in N of balls at given positions for a given displacement
-    of the ring, and their components (n,) along the displacement.
+    """Return (loads, components), each (n,) in N: the exact static loads of balls at given
+    positions for a given displacement of the ring, and their components along the displacement.
 
     Without clearance and axial load, the two contacts of a ball act in series with K = (K_i^-2/3 +
-    K_o^-2/3)^-3/2 under the approach of the raceways at its azimuth.
+    K_o^-2/3)^-3/2, and are compressed by the approach of the raceways at its azimuth.
     """
     along = balls / np.linalg.norm(balls, axis=1)[:, None] @ shift
     return IN_SERIES * np.maximum(along, 0) ** 1.5, along / np.linalg.norm(shift)
@@ -114,9 +114,9 @@ def exact(shift, balls):
 def judge(samples, cost, step, simulated):
     """Return the `Outcome` of one run, from medians over its samples.
 
-    same_shift: load of the ball with the largest theoretical load, relative to the exact load at
-    the ring's position, minus one; low and high: its 5 % and 95 % quantiles. same_load: that ball's
-    fraction of the load on the ring relative to the exact fraction, minus one.
+    same_shift is the load of the ball with the largest theoretical load, divided by the exact load
+    at the ring's position, minus one; low and high are its 5 % and 95 % quantiles. same_load is
+    that ball's fraction of the load on the ring, divided by the exact fraction, minus one.
     """
     ratio, part = [], []
     for shift, balls, load in samples:
@@ -148,9 +148,9 @@ def whole(samples):
 
 
 def host(program, deck, **variables):
-    """Run a deck and return the printed text. Raises `Failure` with the message of the host."""
+    """Run a deck and return the printed text. Raise `Failure` with the message of the host."""
     words = [w for name, value in variables.items() for w in ("-var", name, str(value))]
-    # line-buffered: the host aborts without flushing, and its last message would be lost
+    # line-buffered, because the host aborts without flushing and its last message would be lost
     done = subprocess.run(
         ["stdbuf", "-oL", program, "-in", deck, "-log", "none", *words],
         cwd=ROOT,
@@ -166,13 +166,13 @@ def host(program, deck, **variables):
 
 
 def loop_time(text):
-    """Return the wall seconds of the last run of a deck, from its log."""
+    """Return the wall time in s of the last run in a deck, taken from its log."""
     return float(re.findall(r"Loop time of (\S+) on", text)[-1])
 
 
 def cylinders(young, step=1e-6, output=True):
-    """Run stock LIGGGHTS with smooth cylinders and the ring at the exact displacement; the balls
-    settle for 0.1 s."""
+    """Run stock LIGGGHTS with smooth cylinders and with the ring at the exact displacement, after
+    the balls have settled for 0.1 s."""
     every = round(PERIOD / step)
     steps = 2000 * every
     text = host(
@@ -196,7 +196,7 @@ def cylinders(young, step=1e-6, output=True):
 
 
 def tori(mesh, steps, edges, step=4e-7):
-    """Run stock LIGGGHTS with triangle meshes and the ring at the exact displacement."""
+    """Run stock LIGGGHTS with triangle meshes and with the ring at the exact displacement."""
     every = 20
     text = host(
         "liggghts",
@@ -222,8 +222,8 @@ def tori(mesh, steps, edges, step=4e-7):
 
 
 def exudyn(stiffness, exponent, friction, step, output=True):
-    """Run Exudyn's bearing under the load; damping and the sliding speed of full friction are taken
-    from Exudyn's bearing test."""
+    """Run Exudyn's bearing under the load; the damping and the sliding speed of full friction are
+    those of Exudyn's bearing test."""
     case = {
         "stiffness": stiffness,
         "exponent": exponent,
@@ -234,7 +234,8 @@ def exudyn(stiffness, exponent, friction, step, output=True):
         "speed": SPEED,
         "step": step,
         "ramp": 3e-3,
-        # whole periods, so that all steps that divide a period are sampled at the same times
+        # a whole number of periods, so that all steps that divide a period are sampled at the same
+        # times
         "settle": 114 * PERIOD,
         "window": 400 * PERIOD,
         "period": PERIOD,
@@ -265,7 +266,7 @@ def exudyn(stiffness, exponent, friction, step, output=True):
 
 
 def raceway(name, output=True, **variables):
-    """Run Raceway's main deck with its defaults under the load."""
+    """Run Raceway's main deck under the load with its defaults."""
     host(
         "build/liggghts",
         "inputs/in.6208",
@@ -311,7 +312,7 @@ def precision(name, output=True, **variables):
 
 
 def recorded(folder):
-    """Return the samples of a record of Raceway."""
+    """Return the samples in a record of Raceway."""
     with xr.open_dataset(folder / "record.nc", decode_times=False) as record:
         load = np.nan_to_num(record["load"].sel(raceway="inner").values)
         inner = list(record["ring_raceway"].values).index(INNER)

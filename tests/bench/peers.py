@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare a 6208 under 5 kN in several programs: python tests/bench/peers.py [rounds]. Writes
-build/bench/peers.rst.
+"""Compare a 6208 under 5 kN in several programs, and write build/bench/peers.rst:
+
+    python tests/bench/peers.py [rounds]
 
 The programs are stock LIGGGHTS with smooth cylinders and with triangle meshes (decks in
-tests/bench/peers), Exudyn's ball bearing, and Raceway, with its implicit step and with velocity
-Verlet and the friction law that suits it. Programs whose results converge first try a list of
-settings and run with the best. Then every round runs all programs, with and without output, so that
-a drift of the machine affects all of them.
+tests/bench/peers), Exudyn's ball bearing, and Raceway, both with its implicit integrator and with
+velocity Verlet and the friction law that suits it. Programs whose results converge first try a list
+of settings, and then run with the best one. Every round runs all programs, with and without output,
+so that a drift of the machine affects all of them.
 """
 
 import statistics
@@ -46,14 +47,15 @@ from work_precision import SPRING
 
 ROUNDS = 3
 MESHES = {"180x8": (180, 8), "360x16": (360, 16), "720x32": (720, 32)}
-# rad of groove meshed to either side of its bottom; the contact reaches 18 degrees at 5 kN
+# rad, extent of the meshed groove on either side of its bottom; the contact reaches 18 degrees at 5
+# kN
 REACH = np.radians(40)
-SECANT = BOTH_ALIKE * (exact_shift() / 2) ** 0.5  # stiffness of two equal linear contacts, N/m
+SECANT = BOTH_ALIKE * (exact_shift() / 2) ** 0.5  # N/m, stiffness of two equal linear contacts
 FITTED = BEARING.young * BOTH_ALIKE / SPHERE_ON_PLANE
 SHARP, SMOOTH = "curvature 0.25", "curvature 20 curvature_tolerant yes"
-# On the tori a ball passes two to four facets before it escapes, whatever the size of the facets.
-# With longer steps balls escape earlier.
-SCENES = [  # name, call with or without output
+# On the tori, a ball passes two to four facets before it escapes, whatever the size of the facets.
+# With longer steps, balls escape earlier.
+SCENES = [  # name, function to call with or without output
     ("stock LIGGGHTS, smooth cylinders", partial(cylinders, BEARING.young)),
     ("stock LIGGGHTS, STL tori, 180 by 8 facets per ring", partial(tori, "180x8", 16000, SHARP)),
     ("STL tori, 360 by 16 facets", partial(tori, "360x16", 8000, SHARP)),
@@ -69,7 +71,7 @@ SCENES = [  # name, call with or without output
     ),
     ("Raceway, dry, with cage: the main deck", partial(raceway, "dry", lubricant="dry")),
 ]
-WITHOUT = {name for name, _ in SCENES if "STL" not in name}  # also run without output
+WITHOUT = {name for name, _ in SCENES if "STL" not in name}  # these are also run without output
 
 
 def fixed(call, divisor):
@@ -78,14 +80,14 @@ def fixed(call, divisor):
 
 
 def verlet(step):
-    """Return a setting of Raceway with velocity Verlet and the friction spring."""
+    """Return a setting of Raceway with velocity Verlet and with the friction spring."""
     run = partial(precision, "verlet", integrator="verlet", friction=SPRING, step=step)
     return Setting(f"{step * 1e6:.3g} µs", run)
 
 
 def implicit(steps, tolerance):
-    """Return a setting of Raceway's implicit step: host steps per ball pass, tolerance (m). The
-    record has 200 samples per ball pass for any step."""
+    """Return a setting of Raceway's implicit integrator, given the host steps per ball pass and the
+    tolerance (m). The record has 200 samples per ball pass for any step."""
     words = f"{steps} host steps per ball pass, {float(tolerance) * 1e9:g} nm"
     return Setting(
         words,
@@ -103,7 +105,7 @@ def implicit(steps, tolerance):
 
 STIFFENED = partial(cylinders, FITTED)
 EXPONENT = partial(exudyn, BOTH_ALIKE, 1.5, 0.0)
-PEERS = [  # programs that converge
+PEERS = [  # programs whose results converge
     Peer(
         "stock LIGGGHTS, smooth cylinders, modulus raised to "
         f"{FITTED / 1e9:.0f} GPa to fit the exact stiffness",
@@ -129,7 +131,7 @@ PEERS = [  # programs that converge
         ),
     ),
 ]
-ATTEMPTS = [  # description, call; each runs once
+ATTEMPTS = [  # description, function; each is run once
     (
         "stock LIGGGHTS, a servo that holds 5 kN on a mesh whose surface rotates",
         lambda: host("liggghts", DECKS / "in.servo", folder=OUT),
@@ -146,7 +148,7 @@ ATTEMPTS = [  # description, call; each runs once
 
 
 def attempt(call):
-    """Return a sentence that describes how a call ended."""
+    """Return a sentence that describes the outcome of a call."""
     try:
         found = call()
     except Failure as failure:
@@ -172,13 +174,14 @@ def number(value):
 
 
 def spread(outcomes):
-    """Format the median and the range of the costs."""
+    """Return the median and the range of the costs as text."""
     costs = [each.cost for each in outcomes]
     return f"{number(statistics.median(costs))} ({number(min(costs))} to {number(max(costs))})"
 
 
 def row(name, outcomes, bare):
-    """Return the table rows of a scene; `outcomes` are runs with output, `bare` runs without."""
+    """Return the table rows for a scene; `outcomes` are runs with output, and `bare` runs
+    without."""
     for why in (each for each in outcomes + bare if isinstance(each, Failure)):
         cells = ["", "", f"failed: {why}", "", "", ""]
         break
@@ -197,7 +200,7 @@ def row(name, outcomes, bare):
 
 
 def tried_rows(peer, choice):
-    """Return the table rows of the settings that were tried for a peer."""
+    """Return the table rows for the settings that were tried for a peer."""
     lines = []
     for one in choice.tried:
         worth = f"{one.error:.0e}" if np.isfinite(one.error) else "stopped"
@@ -218,8 +221,8 @@ def exudyn_version():
 
 
 def page(rounds, choices, attempts):
-    """Return the page: peers/page.txt filled with results; `rounds` is {(name, output):
-    outcomes}."""
+    """Return the page, which is peers/page.txt with the results filled in; `rounds` is {(name,
+    output): outcomes}."""
     facts = [*machine(), f"Exudyn {exudyn_version()} from PyPI, one thread"]
     names = dict.fromkeys(name for name, _ in rounds)
     table = [
@@ -260,7 +263,7 @@ def measured(call):
 
 
 def main():
-    """Measure, print, write."""
+    """Measure, print the results and write the page."""
     count = int(sys.argv[1]) if len(sys.argv) > 1 else ROUNDS
     (ROOT / OUT).mkdir(parents=True, exist_ok=True)
     for name, (around, across) in MESHES.items():

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare the cost of a record with that of the host's text dumps and of no output: with samples
-within long steps, from start to end of the program, and for a hundred bearings; writes
-build/bench/record.rst.
+"""Compare the cost of a record with that of the host's text dumps and with that of runs without
+output: for samples within long steps, from the start to the end of the program, and for a hundred
+bearings. Write build/bench/record.rst.
 
     .venv/bin/python tests/bench/record.py [ROUNDS] [--print]     --print: do not write the page
 
-The runs of a round follow one another, so that a drift of the machine affects all of them. Ratios
-are formed within a round; the median counts. The exit code is 1 if a ratio exceeds its limit.
+The runs of a round are made one after another, so that a drift of the machine affects all of them.
+Ratios are formed within a round, and their medians are used. The exit code is 1 if a ratio exceeds
+its limit.
 """
 
 import re
@@ -29,12 +30,12 @@ RECORD, NOTHING = ({"record": record, "dumps": "no", "within": 1} for record in 
 OUTPUTS = {
     "text": TEXT,
     "record": RECORD,
-    "nothing": NOTHING,
+    "no output": NOTHING,
     "record, 10 samples per step": {**RECORD, "within": 10},
-    "nothing, a tenth of the steps": {**NOTHING, "within": 10},
+    "no output, a tenth of the steps": {**NOTHING, "within": 10},
 }
 PASSES, TEXT_PASSES = 400, 40
-AS_IT_STANDS = "record, 10 samples per step"  # default of the main deck
+AS_IT_STANDS = "record, 10 samples per step"  # the default of the main deck
 SHORT, SHORT_PASSES = "make run", 4  # name for `make run`: the main deck without any -var
 FASTER, FASTER_WITHIN, COST = 8.0, {47.75: 15.0, 477.5: 15.0, 9549.0: 12.0}, 2.0
 MANY, MANY_COST = 100, 1.3
@@ -44,12 +45,12 @@ Cost of a record
 
 Written by ``tests/bench/record.py`` (``make bench``), {today}.
 
-The main deck was run at 5000 N, with 200 samples per ball pass: {text_passes} passes with text
-output, {passes} otherwise. *text* is contacts, balls and the ring table as dumps of the host.
-*record* is :doc:`../fix_bearing_record` with all columns. The motion in the first
-three rows is bitwise identical. The values are medians of {rounds} rounds.
+The main deck was run at 5000 N with 200 samples per ball pass, for {text_passes} passes with text
+output and for {passes} passes otherwise. *text* stands for contacts, balls and the ring table as
+dumps of the host. *record* is :doc:`../fix_bearing_record` with all columns. The motion is bitwise
+identical in the first three rows. The values are medians of {rounds} rounds.
 
-Times in the next two tables include writing the last sample to the operating system.
+The times in the next two tables include writing the last sample to the operating system.
 
 .. list-table:: microseconds per sample, and real-time factor
    :header-rows: 1
@@ -66,11 +67,11 @@ Times in the next two tables include writing the last sample to the operating sy
      - required
 {ratios}
 
-The main deck with its defaults is timed from the start of the measured passes and from the start of
-the program. The latter time includes starting, settling and closing the files. ``make run`` is the
-row of {short} passes at 477.5 rpm: {short_wall:.2f} s from start to end of the program,
-{short_loop:.0f} ms of them in the measured passes, without summary and picture. {passes} passes
-at 477.5 rpm take {long_wall:.2f} s from start to end.
+The main deck with its defaults is timed from the start of the measured passes, and from the start
+of the program. The latter time includes starting the program, settling and closing the files.
+``make run`` is the row with {short} passes at 477.5 rpm: it takes {short_wall:.2f} s from the start
+to the end of the program, of which the measured passes take {short_loop:.0f} ms, without summary
+and picture. {passes} passes at 477.5 rpm take {long_wall:.2f} s from start to end.
 
 .. list-table:: real-time factor of the measured passes
    :header-rows: 1
@@ -79,25 +80,25 @@ at 477.5 rpm take {long_wall:.2f} s from start to end.
 {heads}
 {whole}
 
-A hundred bearings in one box on one rank (:doc:`many`): a run with a record takes {many:.2f} times
-as long as one without. The limit is {many_cost}.
+With a hundred bearings in one box on one rank (:doc:`many`), a run with a record takes {many:.2f}
+times as long as a run without one. The limit is {many_cost}.
 
 {machine}
 """
 
 
 class Taken(NamedTuple):
-    """Times of a run of the main deck."""
+    """The times of one run of the main deck."""
 
-    sample: float  # time per sample in the measured passes, s
+    sample: float  # s per sample in the measured passes
     factor: float  # real-time factor of the measured passes
-    loop: float  # s of the measured passes
-    wall: float  # time from start to end of the program, s
-    whole: float  # real-time factor of the measured passes, with `wall` as their wall time
+    loop: float  # s, duration of the measured passes
+    wall: float  # s, from the start to the end of the program
+    whole: float  # real-time factor, if `wall` is used as the wall time
 
 
 def main_deck(folder, rpm, output):
-    """Run the main deck and return the times `Taken`."""
+    """Run the main deck and return its `Taken`."""
     passes = {"text": TEXT_PASSES, SHORT: SHORT_PASSES}.get(output, PASSES)
     start = time.perf_counter()
     variables = OUTPUTS.get(output, {})
@@ -114,7 +115,7 @@ def main_deck(folder, rpm, output):
 
 
 def many(folder, record):
-    """Return the loop time (s) of a hundred bearings."""
+    """Return the loop time (s) of a run with a hundred bearings."""
     text = (ROOT / "inputs" / "in.many").read_text()
     text, count = re.subn(r"(?m)^dump(_modify)? table (.*&\n)*.*\n", "", text)
     assert count == 2, "in.many writes one table"
@@ -126,7 +127,7 @@ def many(folder, record):
 
 
 def measure(rounds):
-    """Return [{(rpm, output): `Taken`, "many": ratio}], with one entry for each round."""
+    """Return [{(rpm, output): `Taken`, "many": ratio}, ...], with one entry for each round."""
     results = []
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -142,7 +143,7 @@ def measure(rounds):
 
 
 def middle(results, rpm, output, what):
-    """Return the median of a field of `Taken` over the rounds."""
+    """Return the median over the rounds of a field of `Taken`."""
     return statistics.median(getattr(one[rpm, output], what) for one in results)
 
 
@@ -157,7 +158,7 @@ def from_start(results):
 
 
 def ratios(results):
-    """Return [(name, {rpm: ratio}, {rpm: limit}, whether it is a lower limit)] over the rounds."""
+    """Return [(name, {rpm: ratio}, {rpm: limit}, whether it is a lower limit), ...]."""
 
     def ratio(slow, fast):
         return {
@@ -168,12 +169,22 @@ def ratios(results):
     factor = {rpm: middle(results, rpm, AS_IT_STANDS, "factor") for rpm in SPEEDS}
     every = dict.fromkeys(SPEEDS, FASTER)
     return [
-        ("text over record", ratio("text", "record"), every, True),
-        ("text over record, 10 samples per step", ratio("text", AS_IT_STANDS), FASTER_WITHIN, True),
-        ("record over nothing", ratio("record", "nothing"), dict.fromkeys(SPEEDS, COST), False),
+        ("text relative to record", ratio("text", "record"), every, True),
         (
-            "record over nothing, 10 samples per step",
-            ratio(AS_IT_STANDS, "nothing, a tenth of the steps"),
+            "text relative to record, 10 samples per step",
+            ratio("text", AS_IT_STANDS),
+            FASTER_WITHIN,
+            True,
+        ),
+        (
+            "record relative to no output",
+            ratio("record", "no output"),
+            dict.fromkeys(SPEEDS, COST),
+            False,
+        ),
+        (
+            "record relative to no output, 10 samples per step",
+            ratio(AS_IT_STANDS, "no output, a tenth of the steps"),
             dict.fromkeys(SPEEDS, COST),
             False,
         ),
@@ -182,7 +193,7 @@ def ratios(results):
 
 
 def row(cells):
-    """Format a row of a list-table."""
+    """Return a row of a list-table as text."""
     return "\n".join([f"   * - {cells[0]}", *(f"     - {cell}" for cell in cells[1:])])
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure speed and error for a shaft on two 6208s at 3000 rpm; writes build/bench/shaft.rst.
+"""Measure speed and error for a shaft on two 6208s at 3000 rpm, and write build/bench/shaft.rst.
 
 The deck is docs/decks/in.shaft at twice its speed. Every round runs all settings. Loads are
-compared, instant by instant, with a run with a tolerance of 0.1 nm.
+compared, instant by instant, with those of a run with a tolerance of 0.1 nm.
 """
 
 import re
@@ -20,7 +20,7 @@ from machine import bench_file, csv_table, machine
 ROUNDS = 3
 SETTLE, MEASURE, SAMPLE = 0.06, 0.06, 2e-4  # s
 REFERENCE = ("tolerance 1e-10", 5e-5)
-SETTINGS = [  # of fix bearing/implicit, host step (s)
+SETTINGS = [  # keywords of fix bearing/implicit, host step (s)
     ("tolerance 1e-8", 2e-4),
     ("tolerance 1e-7", 2e-4),
     ("tolerance 1e-6", 1e-4),
@@ -36,21 +36,22 @@ Speed and error of a shaft
 
 Written by ``tests/bench/shaft.py`` (``make bench``), {date}.
 
-Two 6208s carry the motor shaft of :doc:`../tutorial_shafts` at 3000 rpm, with unbalance, thrust
-and belt pull. A ball pass takes 5.6 ms. The table has real-time factors: simulated over wall time,
-one core, with a record of loads and films every {sample:g} ms. The values are medians of {rounds}
-rounds. The reference has a tolerance of 0.1 nm. Errors are fractions of the largest load:
+Two 6208s carry the motor shaft of :doc:`../tutorial_shafts` at 3000 rpm, with unbalance, thrust and
+belt pull. A ball pass takes 5.6 ms. The table lists real-time factors, i.e. simulated time divided
+by wall time, on one core, with a record of loads and films every {sample:g} ms. The values are
+medians of {rounds} rounds. The reference has a tolerance of 0.1 nm. Errors are fractions of the
+largest load:
 
 * *mean of a ball*: load of the worst ball, averaged over {measure:g} s;
-* *mean of the largest*: mean over time of the largest load;
+* *mean of the largest*: largest load, averaged over time;
 * *one instant*: load of the worst ball at the worst instant.
 
 """
 TAIL = """
-The goal was ten times real time with loads to 1e-3. Two ways were tried, and neither meets it.
-Larger tolerances first affect the loads at single instants, then the means. Backward Euler with one
-step per 0.1 or 0.2 ms also falsifies the means. Lightly loaded balls limit the step: they vibrate
-on the outer raceway as they enter and leave the load zone.
+The goal was ten times real time with loads accurate to 1e-3. Two approaches were tried, and neither
+meets it. Larger tolerances first affect the loads at single instants, and then the means. Backward
+Euler with one step per 0.1 or 0.2 ms also changes the means. Lightly loaded balls limit the step,
+because they vibrate on the outer raceway as they enter and leave the load zone.
 
 """
 
@@ -94,7 +95,7 @@ def simulated(control, step, cage, folder):
 
 
 def errors(loads, truth):
-    """Return the errors (mean of a ball, mean of the largest, one instant), relative to the largest
+    """Return the errors (mean of a ball, mean of the largest, one instant) relative to the largest
     load."""
     largest = truth.max()
     return (

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Compare four ways to estimate the length of a spall from the time between entry and impact in the
-signal of a sensor on the housing; writes build/bench/spall_length.rst.
+signal of a sensor on the housing, and write build/bench/spall_length.rst.
 
     .venv/bin/python tests/bench/spall_length.py [--print]     --print: do not write the page
 
-The exit code is 1 if raceway.spall deviates by more than 5 %.
+The exit code is 1 if the result of raceway.spall deviates by more than 5 %.
 """
 
 import sys
@@ -25,13 +25,13 @@ from raceway.theory.bearing import INNER, OUTER  # noqa: E402
 
 TARGET = bench_file("spall_length.rst")
 MODE = dict(lubricant="vg46", integrator="vibration", housing="springs")
-SCENES = (  # bearing, N, rpm, kg of the inner ring (inputs/bearings)
+SCENES = (  # bearing, N, rpm, mass of the inner ring in kg (inputs/bearings)
     ("6205", 500, 1797, 0.055),
     ("6205", 1000, 3000, 0.055),
     ("6208", 2000, 1500, 0.2),
 )
 LENGTHS = (1e-3, 2e-3)  # m
-SIDES = {"outer": (OUTER, 8), "inner": (INNER, 16)}  # raceway, ball passes
+SIDES = {"outer": (OUTER, 8), "inner": (INNER, 16)}  # {name: (raceway, ball passes)}
 EDGE = 5e-5  # m
 ALLOWED = 0.05
 WAYS = ("half-way", "static rate", "two masses", "the ball's own fall")
@@ -41,20 +41,21 @@ Length of a spall
 
 Written by ``tests/bench/spall_length.py`` (``make bench``).
 
-The first column is the true length of the spall. The others are found from the time between entry
-and impact in the acceleration of the housing, at 192 kHz and without noise (``raceway.passages``).
-They are medians over the balls that pass under the load, in mm:
+The first column is the true length of the spall. The other lengths are found from the time between
+entry and impact in the acceleration of the housing, at 192 kHz and without noise
+(``raceway.passages``). They are medians over the balls that pass under the load, in mm:
 
 {table}
 
-* *half-way*: the ball keeps its load and strikes half-way, ``raceway.kinematics.spall_length``.
-* *static rate*: the ball leaves the raceway at the rate of the static drop; the ring is at rest.
-* *two masses*: ball and ring move, ``raceway.spall.length``.
-* *the ball's own fall*: distance that the ball has fallen when it strikes, from the record.
-  No sensor measures this distance.
+* *half-way*: the ball keeps its load and strikes half-way, as in
+  ``raceway.kinematics.spall_length``.
+* *static rate*: the ball leaves the raceway at the rate of the static drop; the ring does not move.
+* *two masses*: ball and ring move, as in ``raceway.spall.length``.
+* *the ball's own fall*: follows from the distance that the ball has fallen when it strikes, which
+  is read from the record. No sensor measures this distance.
 
-All except the first use the edge radius, 0.05 mm: the signal of a ball that keeps its load appears
-0.05 mm before the middle. The largest error of *two masses* is {error:.1f} %.
+All methods except the first use the edge radius of 0.05 mm: the signal of a ball that keeps its
+load appears 0.05 mm before the middle. The largest error of *two masses* is {error:.1f} %.
 """
 
 
@@ -80,7 +81,8 @@ def at_static_rate(bearing, raceway, seconds, spin, load):
 
 
 def by_own_fall(run, side, raceway, found, spin):
-    """Return the lengths (m) that follow from the fall of the balls in the `Passages` `found`."""
+    """Return the lengths (m) that follow from the fall of the balls during the `Passages`
+    `found`."""
     bearing = run.tables.geometry
     speed, rolling = kinematics.entrainment(bearing, spin), bearing.effective_radii(raceway)[0]
     load, overlap = (
@@ -89,7 +91,7 @@ def by_own_fall(run, side, raceway, found, spin):
     )
     x, y = (run.balls[name].transpose("time", "ball").to_numpy() for name in "xy")
     turned = 0.0
-    if side == "inner":  # relative to the ring with the spall
+    if side == "inner":  # take the fall relative to the ring with the spall
         x, y = (one - run.rings[k].to_numpy()[:, None] for one, k in ((x, "x"), (y, "y")))
         turned = run.rings["angle"].to_numpy()[:, None]
     radius, way = np.hypot(x, y), np.arctan2(y, x) - turned + np.pi / 2
@@ -98,7 +100,7 @@ def by_own_fall(run, side, raceway, found, spin):
         start, stop = int(entry / sample_s), int(np.ceil(blow / sample_s))
         ball = np.argmin(np.abs(np.angle(np.exp(1j * way[start]))))
         gone = np.flatnonzero(load[start:stop, ball] == 0)
-        if not len(gone):  # the ball kept its load
+        if not len(gone):  # in this case, the ball kept its load
             lengths.append(2 * (speed * (blow - entry) + EDGE))
             continue
         back = start + gone[0] + np.argmax(load[start + gone[0] :, ball] > 0)
@@ -108,7 +110,7 @@ def by_own_fall(run, side, raceway, found, spin):
 
 
 def main() -> int:
-    """Write the page."""
+    """Compute the results and write the page."""
     rows, worst = [], 0.0
     with tempfile.TemporaryDirectory() as place:
         for name, load, rpm, mass in SCENES:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure the cost of one step by feature, and of a step in a comparable scene in stock LIGGGHTS;
-writes build/bench/step_cost.rst.
+"""Measure the cost of one step by feature, and of a step in a comparable scene in stock LIGGGHTS,
+and write build/bench/step_cost.rst.
 
-Every round runs all scenes, so that a drift of the machine affects all of them; the ratio to the
+Every round runs all scenes, so that a drift of the machine affects all of them. The ratio to the
 empty step is formed within a round. The page lists medians and ranges over the rounds.
 """
 
@@ -34,7 +34,7 @@ SCENES = [  # name, deck, variables, target ratio to the empty step
 
 
 def nanoseconds(deck, variables):
-    """Return the loop time of the last run of a deck divided by its number of steps."""
+    """Return the time in ns per step of the last run in a deck."""
     command = [
         ROOT / "build" / "liggghts",
         "-in",
@@ -75,8 +75,8 @@ def main():
     lines += [
         "",
         *"""\
-The bearing is a loaded 6208 (5 kN, 477.5 rpm, mineral oil) with velocity Verlet. "Ratio" is
-relative to the empty step of the same round. The values are medians, with the range over the rounds
+The bearing is a loaded 6208 (5 kN, 477.5 rpm, mineral oil) with velocity Verlet. The ratio is
+relative to the empty step in the same round. The values are medians, with the range over the rounds
 in brackets.
 """.splitlines(),
         "",
@@ -94,8 +94,8 @@ in brackets.
     lines += [
         *csv_table(("scene", "ns per step", "ratio to empty step", "target"), cells),
         *"""\
-The stock scene has no groove, no contact ellipse, no free ring and no film. It is the closest scene
-that an unmodified host offers.
+The stock scene has no groove, no contact ellipse, no free ring and no film. It is the most similar
+scene that an unmodified host can run.
 """.splitlines(),
         "",
     ]

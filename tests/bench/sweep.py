@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run a sweep of 200 points: measure the throughput of two processes relative to one, and check
-that no point is lost if the sweep is killed half-way; writes build/bench/sweep.rst.
+"""Run a sweep of 200 points to measure the throughput of two processes relative to one, and to
+check that no point is lost if the sweep is killed half-way. Write build/bench/sweep.rst.
 
     .venv/bin/python tests/bench/sweep.py [--print]     --print: do not write the page
 
 Runs with one and with two processes alternate, so that a drift of the machine affects both. The
-exit code is 1 if a point was lost or run twice.
+exit code is 1 if a point was lost or was run twice.
 """
 
 import csv
@@ -27,7 +27,7 @@ from machine import bench_file, machine
 ROOT = Path(__file__).resolve().parents[2]
 LOADS, SPEEDS = (1000, 2000, 5000, 10000, 20000), (100, 250, 477.5, 1000, 2000)
 CLEARANCES, OILS = (-2e-5, 0, 1e-5, 2e-5), ("mineral", "pao48")
-# ball passes per point: more than the default, so that light loads settle even at high speed
+# ball passes per point, more than the default, so that light loads settle even at high speed
 PASSES, SETTLE, SAMPLES = (4, 3, 100)
 ROUNDS = 3
 WANTED = 1.8
@@ -41,7 +41,7 @@ The sweep has {points} points: {loads} loads from {load_low} to {load_high} N,
 {speeds} speeds from {rpm_low:g} to {rpm_high:g} rpm,
 {clearances} clearances from {clearance_low:g} to {clearance_high:g} m, and {oils} lubricants.
 Each point has {passes} ball passes, with all output and results (:doc:`../sweep`). Runs with one
-and with two processes alternated. Rounds: {rounds}.
+process and with two processes alternated. Number of rounds: {rounds}.
 
 .. list-table::
    :header-rows: 1
@@ -52,19 +52,20 @@ and with two processes alternated. Rounds: {rounds}.
      - points per second
 {rows}
 
-Two processes do {ratio:.2f} times the work of one (rounds: {ratios}). At least {wanted} is
-required.
+Two processes do {ratio:.2f} times the work of one process (individual rounds: {ratios}). At least
+{wanted} is required.
 
-A sweep was killed half-way (``kill -9`` with {killed} points finished and two running) and
-restarted. {finished} of {points} points finished, none was lost. Of the finished points, {again}
-were run again. {same} result tables have the same values as those of the undisturbed sweep.
+A sweep was killed half-way (``kill -9`` with {killed} points finished and two running) and then
+restarted. {finished} of {points} points finished; none was lost. Of the points that had finished,
+{again} were run again. {same} result tables contain the same values as those of the undisturbed
+sweep.
 
 {machine}
 """
 
 
 def write_table(path):
-    """Write the points to a CSV file and return their number."""
+    """Write the points to a CSV file, and return the number of points."""
     points = list(itertools.product(LOADS, SPEEDS, CLEARANCES, OILS))
     with open(path, "w", newline="") as file:
         writer = csv.writer(file)
@@ -103,12 +104,12 @@ def timed(table, folder, jobs):
 
 
 def finished(folder):
-    """Return the completion time of each finished point."""
+    """Return the time at which each finished point was completed."""
     return {path.parent.name: path.stat().st_mtime_ns for path in folder.glob("*/summary.json")}
 
 
 def figures(folder):
-    """Return the table of results without the columns that depend on the clock."""
+    """Return the table of results without the columns that depend on the wall clock."""
     return pd.read_csv(folder / "results.csv").drop(
         columns=["wall_s", "processor_s", "real_time_factor"]
     )
@@ -116,7 +117,7 @@ def figures(folder):
 
 def killed_half_way(table, folder, points):
     """Return (points finished when the sweep was killed, points finished after the restart, points
-    that ran twice)."""
+    that were run twice)."""
     process = subprocess.Popen(
         command(table, folder, 2), cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
     )
@@ -126,7 +127,7 @@ def killed_half_way(table, folder, points):
         time.sleep(0.02)
     os.kill(process.pid, signal.SIGKILL)
     process.wait()
-    time.sleep(1.0)  # until the running points stop as well
+    time.sleep(1.0)  # wait until the running points have stopped as well
     before = finished(folder)
     timed(table, folder, 2)
     after = finished(folder)

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Plot error against cost of the integrators; writes build/bench/work_precision.rst and the
-diagram.
+"""Plot the error of the integrators against their cost, and write build/bench/work_precision.rst
+and the diagram.
 
     python tests/bench/work_precision.py [rad/s ...]
 
 The error is the largest over all balls and samples of one ball pass, compared with a reference with
 the same friction law. It covers the inner and outer load (relative to the largest load), the
-orbital speed (relative to its mean) and the film (relative) of balls with more than 1 % of the
-largest load. The cost is wall seconds per simulated second on one core, with the capacitance at 200
-instants of a ball pass and no output, as the median of ROUNDS. A round runs all methods of a scene.
+orbital speed (relative to its mean) and the film (relative) for balls that carry more than 1 % of
+the largest load. The cost is the wall time per simulated second on one core, with the capacitance
+at 200 instants of a ball pass and without output, as the median of ROUNDS rounds. A round runs all
+methods of a scene.
 """
 
 import re
@@ -40,7 +41,7 @@ ROUNDS = 2
 SAMPLES = 200
 SPEEDS = (5.0, 50.0, 1000.0)
 CLEARANCES = {-0.0035: -44.1e-6, 0.0: 0.0, 0.0035: 44.1e-6}
-# colours that the colour-blind can distinguish (Okabe and Ito)
+# colours that colour-blind readers can distinguish (Okabe and Ito)
 STYLE = {
     "implicit, order 1": ("#0072b2", "o"),
     "implicit, order 2": ("#d55e00", "s"),
@@ -48,7 +49,8 @@ STYLE = {
     "Verlet, history spring": ("#009e73", "v"),
     "dampers implicit": ("#cc79a7", "D"),
 }
-# friction that suits Verlet: a spring with history, because the smoothed law is a stiff damper
+# the friction law that suits Verlet is a spring with history, because the smoothed law acts as a
+# stiff damper
 SPRING = "tangential 0.8235 0.3"
 # {rad/s: steps of Verlet in s}: the longest stable step with this clearance, and shorter steps
 SAME_STEPS = {50.0: (1.6e-7, 8e-8, 4e-8), 1000.0: (2e-6, 1e-6, 5e-7)}
@@ -62,8 +64,8 @@ TARGETS = {5.0: (150, 300), 50.0: (20, 40), 1000.0: (1.5, 10)}
 
 
 def run(**variables):
-    """Return (wall over simulated time, mean step) of one run of in.precision, or None if it was
-    rejected."""
+    """Return (wall time per simulated time, mean step) of one run of in.precision, or None if the
+    run was rejected."""
     words = [w for name, value in variables.items() for w in ("-var", name, str(value))]
     done = subprocess.run(
         [
@@ -93,7 +95,7 @@ def run(**variables):
 
 
 def recorded(**variables):
-    """Return loads and films (instants, 2, 9) and orbital speeds (samples, 9), or None if the run
+    """Return (loads and films (instants, 2, 9), orbital speeds (samples, 9)), or None if the run
     was rejected."""
     if run(record="yes", passes=1, **variables) is None:
         return None
@@ -110,8 +112,8 @@ def recorded(**variables):
 
 
 def error(found, truth):
-    """Return the error that the module's docstring defines; `found` may have fewer, evenly spaced
-    samples."""
+    """Return the error defined in the docstring of the module; the samples of `found` may be fewer,
+    at even spacing."""
     truth = [there[:: (len(there) - 1) // (len(here) - 1)] for here, there in zip(found, truth)]
     peak = truth[0].max()
     loaded = (truth[0] > 0.01 * peak) & (found[0] > 0)
@@ -123,8 +125,8 @@ def error(found, truth):
 
 
 def settings(speed):
-    """Yield (method, words for the table, variables of the deck, kind of reference) for all
-    points."""
+    """Yield (method, text for the table, variables of the deck, kind of reference) for each
+    point."""
     # the deck rounds the step down so that a sample has a whole number of steps
     sample = 1.7627e-4 * 50 / speed * 1.001
     for order in (1, 2):
@@ -181,9 +183,10 @@ def settings(speed):
 
 
 def references(scene, speed):
-    """Return ({kind: truth}, difference between two methods). The methods are Verlet with a step of
-    25 ns and the implicit step with a tolerance of 0.1 nm. At 5 rad/s, where the same friction
-    limits the steps of Verlet to nanoseconds, they are the implicit step with orders 1 and 2."""
+    """Return ({kind: truth}, difference between the two methods). The methods are Verlet with a
+    step of 25 ns and the implicit integrator with a tolerance of 0.1 nm. At 5 rad/s, where the same
+    friction limits the steps of Verlet to nanoseconds, the methods are the implicit integrator with
+    orders 1 and 2."""
     fine = recorded(
         **scene,
         step=1e-5 if speed < 50 else 2e-6 if speed < 1000 else 1e-7,
@@ -200,8 +203,8 @@ def references(scene, speed):
 
 
 def measure(speed, clearance):
-    """Return rows (method, words, mean step, error, wall time per simulated second: median, least,
-    most) and the difference between the references."""
+    """Return (rows (method, text, mean step, error, wall time per simulated second: median, least,
+    most), difference between the references)."""
     scene = dict(speed=speed, clearance=clearance)
     truths, apart = references(scene, speed)
     points = []
@@ -229,8 +232,8 @@ def measure(speed, clearance):
 
 
 def slope(rows, method):
-    """Return the observed order of a method, from the errors and mean steps of its coarsest and
-    finest fixed settings."""
+    """Return the observed order of a method, computed from the errors and mean steps of its
+    coarsest and finest fixed settings."""
     points = sorted((r[2], r[3]) for r in rows if r[0] == method and r[3] and "nm" not in r[1])
     return (
         np.polyfit(np.log([p[0] for p in points]), np.log([p[1] for p in points]), 1)[0]
@@ -240,11 +243,11 @@ def slope(rows, method):
 
 
 METHODS = ("method", "setting", "mean internal step (s)", "error",
-           "simulated over wall time (range)")  # fmt: skip
+           "simulated time / wall time (range)")  # fmt: skip
 
 
 def cells(method, words, step, miss, wall, least, most):
-    found = ("", "refused", "")
+    found = ("", "rejected", "")
     if step:
         speed = f"{1 / wall:.3g} ({1 / most:.3g} to {1 / least:.3g})"
         found = (f"{step:.3g}", f"{miss:.1e}", speed)
@@ -252,8 +255,8 @@ def cells(method, words, step, miss, wall, least, most):
 
 
 def fastest(rows, limit, method=None):
-    """Return (real-time factor, setting) of the fastest row of a method, or of Raceway's implicit
-    methods, with at most this error, or (nan, "none") if there is no such row."""
+    """Return (real-time factor, setting) of the fastest row with at most this error, for a method
+    or for all of Raceway's implicit methods, or (nan, "none") if there is no such row."""
     fitting = [
         (1 / r[4], f"{r[0]}: {r[1]}")
         for r in rows
@@ -263,19 +266,19 @@ def fastest(rows, limit, method=None):
 
 
 def targets(results):
-    """Tabulate the best real-time factors of each scene at errors of at most 1e-3 and 1e-2, with
-    the goals and the ratios to Verlet."""
+    """Tabulate the best real-time factors of each scene at errors of at most 1e-3 and 1e-2,
+    together with the goals and the ratios to Verlet."""
     head = (
         "rad/s",
         "P_d/D",
         "at most 1e-3",
-        "over Verlet with the friction spring, 1e-3",
-        "over Verlet with the same friction, 1e-3",
+        "relative to Verlet with the friction spring, 1e-3",
+        "relative to Verlet with the same friction, 1e-3",
         "required",
-        "by",
+        "method and setting",
         "at most 1e-2",
         "required",
-        "by",
+        "method and setting",
     )
     body = []
     for (speed, ratio), (rows, _) in results.items():
@@ -341,13 +344,13 @@ def page(results):
         "===================",
         "",
         *f"""\
-The bearing is a 6208 at 5 kN in mineral oil, with film, friction, cage and free ring. Its
-capacitance is computed at 200 instants per ball pass (:doc:`../fix_bearing_capacitance`,
-*within*). There is no output.
+The bearing is a 6208 at 5 kN in mineral oil, with film, friction, cage and a free ring. Its
+capacitance is computed at 200 instants per ball pass (:doc:`../fix_bearing_capacitance`, *within*).
+There is no output.
 
-The error is the largest over balls and instants of one ball pass, compared with a reference with
-the same friction. It covers inner and outer load (relative to the largest load), cage speed
-(relative to its mean) and film, for balls that carry more than 1 % of the largest load.
+The error is the largest over all balls and instants of one ball pass, compared with a reference
+with the same friction law. It covers inner and outer load (relative to the largest load), cage
+speed (relative to its mean) and film, for balls that carry more than 1 % of the largest load.
 
 All runs use one core. The values are medians of {ROUNDS} rounds; each round runs all settings of a
 scene. Measured on {date.today()}:
@@ -361,17 +364,17 @@ scene. Measured on {date.today()}:
         "--------------",
         "",
         (
-            "The table has real-time factors (simulated over wall time) of"
+            "The table lists real-time factors (simulated time divided by wall time) of"
             " :doc:`../fix_bearing_implicit` in this run."
         ),
         "",
         *"""\
-Velocity Verlet is compared twice, each time at the fastest step with an error of at most 1e-3. The
+Velocity Verlet is compared twice, each time with the fastest step whose error is at most 1e-3. The
 first ratio is the fair one: Verlet uses the friction law that suits it, a spring with history, and
-has its own reference. The second uses the smoothed friction of the implicit step. At
-low sliding speed that law is a stiff damper. At 50 rad/s it shortens the steps of Verlet by a
-factor of ten to twenty. At 5 rad/s they would be nanoseconds long and were not run. At 1000 rad/s
-the law is not stiff, and Verlet is about as fast with either law.
+has its own reference. For the second ratio, Verlet uses the smoothed friction of the implicit step,
+which acts as a stiff damper at low sliding speed. At 50 rad/s it shortens the steps of Verlet by a
+factor of ten to twenty. At 5 rad/s the steps would be only nanoseconds long, so these cases were
+not run. At 1000 rad/s this law is not stiff, and Verlet is about as fast with either law.
 """.splitlines(),
         "",
     ] + targets(results)
@@ -384,7 +387,7 @@ the law is not stiff, and Verlet is about as fast with either law.
         "",
         (
             "Points further left and lower are better. The dotted line is the difference between"
-            " methods; errors below it are not significant. The grey line is 1e-3."
+            " the reference methods; errors below it are not significant. The grey line is 1e-3."
         ),
         "",
     ]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A fixed amount of work of the kind that the contact law and the Newton iteration do: powers,
+// A fixed amount of work of the same kind as in the contact law and the Newton iteration: powers,
 // roots and small linear systems. The pages of `make bench` state its time, so that pages from
-// different days and machines can be compared: divide their times by the time of this work.
+// different days and machines can be compared by dividing their times by this time.
 
 #include <chrono>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int N = 6, ROUNDS = 1'000'000;
 
-// Gaussian elimination without pivoting of a diagonally dominant system, in place.
+// Solve a diagonally dominant system in place by Gaussian elimination without pivoting.
 double solved(double (&a)[N][N], double (&b)[N])
 {
   for (int k = 0; k < N; ++k)
@@ -42,5 +42,5 @@ int main()
     x = 1.0 + std::fabs(solved(a, b));
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  std::printf("%.4f %.15g\n", seconds.count(), x);    // prints x so that no compiler omits the work
+  std::printf("%.4f %.15g\n", seconds.count(), x);    // x is used, so the work is not omitted
 }

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the examples of the pages: the decks in docs/decks, every block under a heading "Examples",
-and every Python or console block, in the order of its page.
+"""Run the examples in the documentation: the decks in docs/decks, every block under a heading
+"Examples", and every Python or console block, in the order in which they appear on the page.
 
-A block under "Examples" replaces the lines of docs/decks/in.ehd that give the same command, or,
-with commands of named bearings, the lines of inputs/in.6208 with one ball pass; all other lines of
-that deck stay. Python and console blocks of a page run in a folder that looks like the built
-tree: a finished run is not replaced by default, so no run of an earlier build may be present. The
-blocks may use the run of `make run`, except on pages that make this run.
+A block under "Examples" is tried in docs/decks/in.ehd, where it replaces the lines with the same
+commands. If it has commands of named bearings, inputs/in.6208 with one ball pass is used instead.
+The Python and console blocks of a page run in a folder that looks like a built tree. It must not
+contain a run of an earlier build, because a finished run is not replaced by default. The blocks may
+use the run of `make run`, except on pages that make this run.
 """
 
 import os
@@ -33,13 +33,14 @@ FILM_ONLY = (
 NAMED = ("bearing ", "run_bearing ", "bearing_dump ", "pair_style bearing ")
 SHORT = {"out": "out", "settle": 1, "passes": 1, "lubricant": "vg46"}
 MAIN = Path("build/run/6208")
-# pages that make the main run, or need no run
+# pages that make the main run, or do not need it
 APART = ("tutorial.rst", "tutorial_twin.rst", "sweep.rst", "gallery.rst")
 UNDERLINE = re.compile(r"^([=\-~^\"])\1{3,}$")
 
 
 def joined(text):
-    """Return the commands of a deck without comments, blank lines and continuations."""
+    """Return the commands of a deck, with continued lines joined and without comments and blank
+    lines."""
     text = re.sub(r"&\s*\n\s*", "", text)
     return [
         line
@@ -49,7 +50,7 @@ def joined(text):
 
 
 def blocks(page):
-    """Return the literal blocks in the sections of a page called Examples."""
+    """Return the literal blocks in the sections of a page that are headed Examples."""
     lines, inside, block = page.read_text().splitlines(), False, []
     for here, below in zip(lines, lines[1:] + [""]):
         if UNDERLINE.match(below):
@@ -64,8 +65,8 @@ def blocks(page):
 
 
 def session(page):
-    """Return the Python and console blocks of a page as (kind, text) in their order: fenced in
-    Markdown, indented in rST."""
+    """Return the Python and console blocks of a page in order as (kind, text). Blocks are fenced in
+    Markdown and indented in rST."""
     text = page.read_text()
     pattern = (
         r"^```(python|console)\n((?:(?!```).*\n)*)```$"
@@ -83,7 +84,8 @@ def session(page):
 
 
 def not_printed(block, output):
-    """Return the first line of a transcript that is missing from the output, or an empty string."""
+    """Return a message with the first line of a transcript that is missing from the output, or an
+    empty string."""
     printed = (line.rstrip() for line in output.splitlines())
     for line in block.splitlines():
         if line.strip() in ("", "...") or line.startswith("$ "):
@@ -94,14 +96,14 @@ def not_printed(block, output):
 
 
 def run_session(page, folder):
-    """Run the blocks of a page in `folder`, and yield for each its message if it failed, or an
-    empty string.
+    """Run the blocks of a page in `folder`, and yield one string per block: a message if the block
+    failed, otherwise an empty string.
 
     Console lines after "$ " are commands of `.venv/bin`; the lines that follow must appear in their
     output, in that order.
     """
     paths = dict(os.environ, PATH=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
-    # containers run as root, which Open MPI otherwise refuses
+    # containers run as root, which Open MPI rejects unless these variables are set
     paths |= dict.fromkeys(("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"), "1")
     for number, (kind, block) in enumerate(session(page), 1):
         transcript = block.startswith("$ ")
@@ -119,7 +121,7 @@ def run_session(page, folder):
 
 
 def run_console(commands, folder, paths):
-    """Run shell commands up to the first one that fails, and return (exit code, output)."""
+    """Run shell commands until one of them fails, and return (exit code, output)."""
     printed = ""
     for command in warm_python.split(commands):
         if plain := warm_python.words(command):
@@ -142,22 +144,22 @@ def run_console(commands, folder, paths):
 
 
 def key(line):
-    """Return the key of a line: two lines with the same key are the same command."""
+    """Return the key of a line; lines with equal keys are taken to be the same command."""
     word = line.split()
     if word[0] in ("pair_style", "create_bearing", "timestep", "run", "bearing", "run_bearing"):
         return word[0]
     if word[0] in ("pair_coeff", "variable"):
         return tuple(word[:3] if word[0] == "pair_coeff" else word[:2])
     if word[0] in ("fix", "compute"):
-        style = "nve/sphere" if word[3] == "bearing/implicit" else word[3]  # either moves the balls
-        if style in ("bearing/ring", "bearing/shaft"):  # either moves the rings
+        style = "nve/sphere" if word[3] == "bearing/implicit" else word[3]  # both move the balls
+        if style in ("bearing/ring", "bearing/shaft"):  # both move the rings
             return word[0], word[2]
         return word[0], style
     return line
 
 
 def base_of(block):
-    """Return the lines of the deck in which a block is tried."""
+    """Return the lines of the deck in which a block is to be tried."""
     if not any(line.startswith(NAMED) or " bearing/heat" in line for line in block):
         return joined((DOCS / "decks/in.ehd").read_text())
     short = [f"variable {name} index {value}" for name, value in SHORT.items()]
@@ -165,7 +167,8 @@ def base_of(block):
 
 
 def deck(base, block):
-    """Return the lines of `base` in which the lines of `block` replace the same commands."""
+    """Return the lines of `base`, in which those of `block` replace the lines with the same
+    commands."""
     if any("bearing/hertz" in line for line in block):
         base = [
             line.replace(" f_cap", "").replace(" c_total[6] c_total[7]", "")
@@ -174,7 +177,7 @@ def deck(base, block):
         ]
     if any(
         "bearing/contact" in line for line in block
-    ):  # another compute: it does not have the columns of the dump
+    ):  # this compute does not have the columns that the dump writes
         base = [line for line in base if not line.startswith(("dump ", "dump_modify "))]
     if any("axis x" in line for line in block):
         base = [line.replace("x free y free", "y free z free") for line in base]
@@ -216,7 +219,7 @@ def main_run(tmp_path_factory):
 
 @pytest.mark.parametrize("page", sorted(PAGES, key=PAGES.get, reverse=True), ids=lambda p: p.stem)
 def test_page(page, tmp_path, request):
-    """The commands and Python blocks of a page run in their order, and print what the page
+    """The commands and Python blocks of a page run in order, and print the output that the page
     shows."""
     for folder in ("inputs", "docs/decks"):
         shutil.copytree(ROOT / folder, tmp_path / folder)
@@ -257,9 +260,9 @@ def beside_inputs(tmp_path):
 
 
 def test_decks(beside_inputs):
-    """The decks run one after the other in one folder, because some read files written by earlier
-    decks."""
-    gallery = (DOCS / "gallery.rst").read_text()  # this page runs the decks that it names
+    """The decks run one after another in one folder, because some of them read files that earlier
+    decks wrote."""
+    gallery = (DOCS / "gallery.rst").read_text()  # this page runs the decks that it mentions
     for path in sorted(DOCS.glob("decks/in.*")):
         if f"docs/decks/{path.name}" not in gallery:
             try_deck(joined(path.read_text()), beside_inputs)
@@ -267,5 +270,5 @@ def test_decks(beside_inputs):
 
 @pytest.mark.parametrize("lines", BLOCKS.values(), ids=BLOCKS)
 def test_block(lines, beside_inputs):
-    """Each block under "Examples" runs in its deck."""
+    """Each block under "Examples" runs within its deck."""
     try_deck(deck(base_of(lines), lines), beside_inputs)

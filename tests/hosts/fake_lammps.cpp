@@ -2,7 +2,7 @@
 // A stand-in for a LAMMPS of any version on any MPI, with the symbols that raceway_plugin.so
 // inspects before it loads the styles:
 //   fake_lammps PLUGIN VERSION MPI_NAME [BYTES_OF_TAGINT]
-// Ends with 0 if the plugin registered nothing and returned.
+// The exit code is 0 if the plugin registered nothing and returned.
 #include <dlfcn.h>
 
 #include <cstdio>

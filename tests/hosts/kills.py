@@ -4,9 +4,10 @@ undisturbed run.
 
     .venv/bin/python tests/hosts/kills.py [N] [--seed S]
 
-N runs with kill -TERM and N with kill -9 (default 50). A killed run is resumed, sometimes killed
-again, on 1, 2 or 4 ranks in turn, until it finishes. Only the wall time in `run.yaml` may
-differ. Exit code 1 if anything else does.
+There are N runs with kill -TERM and N runs with kill -9 (default: 50). A killed run is resumed, and
+sometimes killed again, until it finishes. Half of the runs are always started on one rank, the
+other half alternately on 1 and 2 ranks. Only the wall time in `run.yaml` may differ; the exit code
+is 1 if anything else differs.
 """
 
 import argparse
@@ -49,17 +50,17 @@ SCENES = (
 
 @dataclass
 class Story:
-    """The events of one run."""
+    """The events during one run."""
 
     kills: int = 0
     resumed: int = 0  # number of starts that found a restart file
     codes: tuple = ()
-    different: tuple = ()  # files whose bytes differ
+    different: tuple = ()  # files that differ from the reference
 
 
 def start(scene, out, *, ranks=1):
-    """Run `scene` into `out` in a separate session, with its output in out.log, and resume if a
-    restart file exists."""
+    """Run `scene` into `out` in a separate session, with its output in out.log, and resume the run
+    if there is a restart file."""
     command = [
         str(ROOT / "build" / "liggghts"),
         "-in",
@@ -90,7 +91,7 @@ def start(scene, out, *, ranks=1):
 
 
 def run(scene, out):
-    """Run `scene` undisturbed and return the wall time in s."""
+    """Run `scene` without disturbance, and return the wall time in s."""
     begun = time.monotonic()
     code = start(scene, out).wait()
     assert code == 0, Path(f"{out}.log").read_text(errors="replace")[-2000:]
@@ -98,8 +99,8 @@ def run(scene, out):
 
 
 def settings(folder):
-    """Return the lines of `run.yaml` without wall and processor times, which are not results of the
-    model."""
+    """Return the lines of `run.yaml` without the wall and processor times, which are not results of
+    the model."""
     return [
         line
         for line in (folder / "run.yaml").read_text().splitlines()
@@ -108,8 +109,8 @@ def settings(folder):
 
 
 def same(one, other):
-    """Return whether two files are equal byte for byte, except for the order of rows in a frame,
-    which depends on the number of ranks."""
+    """Return whether two files are identical byte for byte, except for the order of rows within a
+    frame, which depends on the number of ranks."""
     if one.read_bytes() == other.read_bytes():
         return True
     return (
@@ -120,21 +121,21 @@ def same(one, other):
 
 
 def session(leader):
-    """Return the processes of a session, with the leader last."""
+    """Return the processes of a session, in an order that puts the leader last."""
     found = []
     for stat in Path("/proc").glob("[0-9]*/stat"):
         try:
             fields = stat.read_text().rpartition(")")[2].split()
         except (OSError, UnicodeDecodeError):
-            continue  # gone meanwhile
+            continue  # the process has ended in the meantime
         if int(fields[3]) == leader and fields[0] != "Z":
             found.append(int(stat.parent.name))
     return sorted(found, reverse=True)
 
 
 def ended(process, ranks):
-    """Return the exit code when a run ends. Open MPI's launcher may lock up while it ends after a
-    signal: it is killed once no ranks are left."""
+    """Wait until a run ends, and return its exit code. Open MPI's launcher may lock up while it
+    exits after a signal; in this case it is killed once no ranks are left."""
     while True:
         try:
             return process.wait(20)
@@ -144,19 +145,19 @@ def ended(process, ranks):
 
 
 def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
-    """Run `scene` with signals `which` at random moments of its `length` (s) until it finishes, and
-    compare it with `reference`."""
+    """Run `scene` with signals `which` at random moments of its duration `length` (s) until it
+    finishes, and compare it with `reference`."""
     story, attempt = Story(), -1
     while attempt < 100:
         attempt += 1
         process = start(scene, out, ranks=ranks[attempt % len(ranks)])
-        # the first start always receives a signal, later starts every other time
+        # the first start always receives a signal, each later start with a probability of one half
         if attempt == 0 or dice.random() < 0.5:
             try:
                 process.wait(dice.uniform(0.0, length))
             except subprocess.TimeoutExpired:
-                # kill -9 goes to all ranks, which otherwise keep writing until they detect that
-                # mpirun is gone; mpirun forwards a USR1 itself
+                # kill -9 is sent to all ranks, which would otherwise continue to write until they
+                # detect that mpirun is gone; mpirun forwards USR1 to them by itself
                 if which == signal.SIGKILL:
                     for pid in session(process.pid):
                         os.kill(pid, which)
@@ -169,7 +170,7 @@ def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
         story.codes += (code,)
         if code == 0 and story.kills:
             break
-        if code == 0:  # the signal came too late to disturb the run
+        if code == 0:  # the signal came too late to affect the run
             shutil.rmtree(out)
             attempt = -1
     story.resumed = Path(f"{out}.log").read_text(errors="replace").count("Continuing from")

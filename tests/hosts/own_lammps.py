@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""In a LAMMPS built from Debian's sources with Open MPI, the results with plugin and package are
-bitwise identical to those of build/liggghts. `make test-lammps` builds these programs and runs this
-file."""
+"""In a LAMMPS built from Debian's sources with Open MPI, the results with the plugin and with the
+package are bitwise identical to those of build/liggghts. `make test-lammps` builds these programs
+and runs this file."""
 
 import pytest
 from debian_lammps import OWN
@@ -28,5 +28,5 @@ def test_main_deck(tmp_path, monkeypatch, program, integrator, models, ranks):
         assert frames(tmp_path / "own" / name) == frames(tmp_path / "liggghts" / name)
     rings = [(tmp_path / host / "rings.dat").read_text() for host in ("own", "liggghts")]
     head, *rows = rings[1].splitlines()
-    # LAMMPS also writes a row at the start
+    # LAMMPS also writes a row for the initial state
     assert rings[0].splitlines()[0] == head and rings[0].splitlines()[2:] == rows

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Every deck in inputs and docs/decks runs. Decks with the variable `models` run with both paper
-and full. The structure of the decks is checked as well."""
+and full. The structure of the decks is checked too."""
 
 import re
 
@@ -14,14 +14,14 @@ DECKS = [
     for path in sorted((ROOT / folder).glob("in.*"))
 ]
 SHORT = {"passes": 1, "settle": 0, "samples": 40, "bearings": 2, "time": "1e-3", "rpm": 3000}
-DRUM = {"rows": 4, "bottom": -0.0915, "steps": 600}  # grains touch; docs/gallery.rst runs longer
+DRUM = {"rows": 4, "bottom": -0.0915, "steps": 600}  # docs/gallery.rst runs longer
 ALONE = [deck for deck in DECKS if not re.search("partition|restart_2_read", deck)]
 
 
 def takes(deck):
     try:
         return deck_variables(ROOT / deck)
-    except TableError:  # it has no variable
+    except TableError:  # the deck has no variable
         return {}
 
 
@@ -41,7 +41,7 @@ def test_runs(tmp_path, deck, models):
 
 
 def test_include_files():
-    """Decks include only decks, and use a condition only to choose between a new box and a
+    """Decks include only other decks, and use conditions only to choose between a new box and a
     restart."""
     for deck in DECKS:
         text = (ROOT / deck).read_text()
@@ -53,6 +53,6 @@ def test_include_files():
 
 
 def test_number_of_commands():
-    """There are at most six commands besides the styles."""
+    """In addition to the styles, there are at most six commands."""
     text = (ROOT / "src-package/host/bearing_styles.h").read_text()
     assert len(re.findall(r"add\.template command<", text)) <= 6

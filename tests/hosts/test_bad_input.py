@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Wrong input stops the run with an error that names the command, the value and the allowed range,
-before the first step."""
+"""Invalid input stops the run before the first step, with an error that names the command, the
+value and the allowed range."""
 
 import re
 
 import pytest
 from host import BOX, liggghts, run
 
-# {mistake: (variables of in.6208, text of the error)}
+# {mistake: (variables of in.6208, regular expression for the error)}
 MAIN_DECK = {
     "conformal groove": (
         {"inner_groove": 6.2e-3},
@@ -117,7 +117,7 @@ FOUR_POINT = (
     + GROUPS
 )
 
-# {mistake: (deck, text of the error)}
+# {mistake: (deck, regular expression for the error)}
 DECKS = {
     "unknown style keyword": (
         BOX + "pair_style bearing/hertz viscosity 0.04\n",
@@ -315,7 +315,7 @@ DECKS = {
 
 
 def wrong(outcome, message):
-    """Check that the run failed with one readable error and made no step."""
+    """Check that the run failed with exactly one readable error and made no step."""
     assert outcome.code != 0, outcome.text[-1500:]
     assert re.search(message, outcome.error), (
         f"no /{message}/ in:\n{outcome.error or outcome.text[-1500:]}"
@@ -340,7 +340,7 @@ def test_deck(name, tmp_path):
     wrong(liggghts(deck), message)
 
 
-# wrong set-ups that are tried in every host
+# invalid set-ups that are tried in every host
 SETUPS = [
     "newton on",
     "periodic box",
@@ -373,7 +373,7 @@ def test_ghost_cutoff_too_small(host, tmp_path):
 
 
 def test_lost_ball_is_named(tmp_path):
-    """A run that diverges stops and reports the contact, the step and the remedy."""
+    """A run that diverges stops with an error that states the contact, the step and the remedy."""
     deck = tmp_path / "in.runaway"
     deck.write_text(
         DRY
@@ -389,7 +389,7 @@ def test_lost_ball_is_named(tmp_path):
 
 
 def test_step_that_turns_out_too_large_is_refused(tmp_path):
-    """A fixed step above the limit of the springs stops the main deck."""
+    """A fixed step that exceeds the limit of the springs stops the main deck."""
     outcome = liggghts(
         "inputs/in.6208", models="paper", integrator="verlet", step=3.0e-6, out=tmp_path / "run"
     )
@@ -400,7 +400,8 @@ def test_step_that_turns_out_too_large_is_refused(tmp_path):
 
 
 def test_not_a_number_under_an_implicit_step(tmp_path):
-    """The refinement of the step fails, and the run stops and reports the fix and the step."""
+    """The step cannot be refined far enough, and the run stops with an error that states the fix
+    and the step."""
     deck = tmp_path / "in.nan"
     deck.write_text(
         DRY
@@ -418,7 +419,8 @@ def test_not_a_number_under_an_implicit_step(tmp_path):
 
 
 def test_not_a_number_is_named(tmp_path):
-    """A position that is not a number does not count as a gap, and the run stops at the contact."""
+    """A position that is not a number is not treated as a gap, and the run stops with an error that
+    names the contact."""
     deck = tmp_path / "in.nan"
     deck.write_text(
         DRY + "variable nothing equal 1.0e308*10*step-1.0e308*10*step\n"  # inf - inf

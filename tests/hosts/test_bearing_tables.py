@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command `bearing` reads a row of INPUTS/bearings/*.csv like a file with the name of the row,
-and Python reads the same data."""
+"""The command `bearing` reads a row of INPUTS/bearings/*.csv as if it were a file with the name of
+the row, and Python reads the same data."""
 
 import pytest
 from host import ROOT, run, succeed
@@ -26,7 +26,7 @@ print "NOW ${{b_balls}} ${{b_ball_diameter}}"
 
 
 def table(tmp_path, text=OWN):
-    """Return a folder of inputs with the table `text`."""
+    """Return a folder of inputs that contains the table `text`."""
     folder = tmp_path / "own"
     (folder / "bearings").mkdir(parents=True)
     (folder / "bearings" / "table.csv").write_text(text, newline="")
@@ -42,7 +42,8 @@ def deck(tmp_path, folder, before=""):
 @pytest.mark.parametrize("host", HOSTS)
 @pytest.mark.parametrize("change", ["", "mark", "spreadsheet"])
 def test_own_table(tmp_path, host, change):
-    """Tables saved by a spreadsheet are read. A value from the deck or -var takes precedence."""
+    """Tables saved by a spreadsheet program are read. A value from the deck or from -var takes
+    precedence."""
     text = OWN
     if change == "mark":
         text = "\ufeff" + text

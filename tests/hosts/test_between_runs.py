@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Forces and reports are correct at the boundary between two runs."""
+"""Forces and reported values are correct at the boundary between two runs."""
 
 import pytest
 from host import ROOT, frames, succeed
@@ -9,8 +9,8 @@ DRAG = "fix drag balls viscous 5.0\n"
 
 
 def test_a_fix_defined_between_runs_adds_no_impulse(tmp_path):
-    """The forces of the previous step are restored after the set-up of every fix, including later
-    fixes."""
+    """The forces of the previous step are restored after every fix has been set up, including fixes
+    that were added later."""
     deck = tmp_path / "in.drag"
     deck.write_text(BITS.replace("timestep 2.0e-7\n", DRAG + "timestep 2.0e-7\n"))
     succeed(deck, out=tmp_path / "whole")
@@ -23,8 +23,8 @@ def test_a_fix_defined_between_runs_adds_no_impulse(tmp_path):
 
 
 def test_report_is_of_the_end_of_the_step(tmp_path):
-    """Reports describe the end of the step, even if a variable that drives a ring reads the report
-    of the same ring in the middle of the step."""
+    """Reported values describe the end of the step, even if a variable that drives a ring reads the
+    values for the same ring in the middle of the step."""
     deck = tmp_path / "in.report"
     deck.write_text(
         BITS.replace(
@@ -53,8 +53,8 @@ def test_report_is_of_the_end_of_the_step(tmp_path):
 
 
 def test_restart_written_in_a_run_without_setup(tmp_path):
-    """`run N pre no` skips the set-up; a restart file written then must still contain the forces of
-    that step."""
+    """`run N pre no` skips the set-up; nevertheless, a restart file that is written then must
+    contain the forces of that step."""
     deck = tmp_path / "in.pre"
     deck.write_text(BITS.replace("run ${first}\n", "run 100\nrun 300 pre no\n"))
     succeed(deck, out=tmp_path, keep=200)
@@ -65,7 +65,7 @@ def test_restart_written_in_a_run_without_setup(tmp_path):
 
 
 def test_reports_after_the_pair_style_is_gone(tmp_path):
-    """Values that are read between runs use no freed memory (checked by AddressSanitizer)."""
+    """Reading values between runs does not access freed memory (checked by AddressSanitizer)."""
     deck = tmp_path / "in.gone"
     deck.write_text(
         BITS + "pair_style bearing/hertz friction none\nvariable gone equal f_inner[1]\n"

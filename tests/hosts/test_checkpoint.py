@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/checkpoint stops on a signal, resumes, rejects files that do not match, and reports a
-full disk."""
+"""fix bearing/checkpoint stops a run on a signal, resumes it, rejects files that do not match, and
+reports a full disk."""
 
 import os
 import re
@@ -22,7 +22,7 @@ FILES = ("contacts.dump", "balls.dump", "rings.dat", "record.nc")
 
 
 def wait_for(path, size=1, patience=60.0):
-    """Wait until `path` contains `size` bytes."""
+    """Wait until `path` contains at least `size` bytes."""
     end = time.monotonic() + patience
     while not (path.exists() and path.stat().st_size >= size):
         assert time.monotonic() < end, f"{path} did not appear"
@@ -31,10 +31,10 @@ def wait_for(path, size=1, patience=60.0):
 
 @pytest.fixture
 def stopped(tmp_path):
-    """Return the folder of a run that received SIGTERM during its measurement."""
+    """Return the folder of a run that received SIGTERM during its measurement phase."""
     out = tmp_path / "run"
     process = start(SCENE, out)
-    wait_for(out / "record.nc", 50_000)  # it is measuring
+    wait_for(out / "record.nc", 50_000)  # the run is in its measurement phase
     process.terminate()
     assert process.wait() == 128 + signal.SIGTERM
     return out
@@ -86,7 +86,7 @@ def test_shortened_record_is_refused(stopped):
 
 
 def test_new_run_replaces_an_old_restart_file(stopped):
-    """Without resume the run starts again, and nothing is left of the old run."""
+    """Without resume, the run starts from the beginning, and nothing of the old run is left."""
     small = {"passes": 1, "samples": 50, "dumps": "yes"}
     succeed("inputs/in.6208", out=stopped, **small)
     assert sorted(path.name for path in stopped.iterdir()) == [
@@ -101,7 +101,7 @@ def test_new_run_replaces_an_old_restart_file(stopped):
 
 
 def test_restart_files_change_no_bit(tmp_path):
-    """Writing restart files does not affect the results of the run."""
+    """Writing restart files does not affect the results of the run at all."""
     for name, keep in (("without", 0), ("with", 7)):
         succeed("inputs/in.6208", out=tmp_path / name, passes=1, samples=50, keep=keep, dumps="yes")
     for name in FILES:
@@ -109,7 +109,7 @@ def test_restart_files_change_no_bit(tmp_path):
 
 
 def test_killed_run_opens(tmp_path):
-    """All samples that were written before the kill can be read, and each of them is complete."""
+    """All samples written before the kill can be read, and each of them is complete."""
     out = tmp_path / "run"
     process = start(SCENE, out)
     wait_for(out / "record.nc", 2_000_000)
@@ -175,7 +175,7 @@ def test_full_disk(tmp_path):
         failed = liggghts("inputs/in.6208", out=disk / "run", passes=4, keep=20, dumps="yes")
         assert failed.code != 0
         assert "No space left on device" in failed.error
-        # after space is freed the run continues to the end with the same bits
+        # after space has been freed, the run continues to the end with bitwise identical results
         subprocess.run(["mount", "-o", "remount,size=20m", disk], check=True)
         succeed("inputs/in.6208", out=disk / "run", passes=4, keep=20, dumps="yes", resume="yes")
         succeed("inputs/in.6208", out=tmp_path / "reference", passes=4, dumps="yes")

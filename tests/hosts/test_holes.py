@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks that change the input of an existing fix: groups that grow, and rings that are named
-twice."""
+"""Tests of decks that change the input of an existing fix: groups that grow, and rings that belong
+to two fixes."""
 
 import re
 
@@ -21,7 +21,7 @@ RUN = "run 20000\n"
 
 
 def outcome(tmp_path, deck, commands, **kwargs):
-    """Return the outcome of `deck` with `commands` instead of its last run."""
+    """Return the outcome of `deck` with its last run replaced by `commands`."""
     assert deck.count(RUN) == 1
     file = tmp_path / "in.hole"
     file.write_text(deck.replace(RUN, commands))
@@ -35,8 +35,8 @@ def deck(request):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_two_fixes_on_one_ring_are_refused(tmp_path, deck, ranks):
-    """Under fix bearing/implicit the second fix once silently replaced the first, which led to
-    wrong loads and displacements."""
+    """Under fix bearing/implicit, the second fix once silently replaced the first, which resulted
+    in wrong loads and displacements."""
     end = outcome(
         tmp_path, deck, "fix again inner bearing/ring spin speed 50\nrun 100\n", ranks=ranks
     )
@@ -59,7 +59,7 @@ def test_one_fix_after_another_on_one_ring(tmp_path, deck):
 @pytest.mark.parametrize("when", ["before the first run", "between two runs"])
 def test_balls_may_not_join_the_group_of_a_ring_fix(tmp_path, deck, when):
     """All atoms of such a group once received the mass of the ring, and the values reported for the
-    ring belonged to a ball."""
+    ring were those of a ball."""
     first = "run 20\n" if when == "between two runs" else ""
     end = outcome(tmp_path, deck, first + "group inner type 1\nrun 100\n")
     assert end.code != 0
@@ -73,9 +73,9 @@ def test_balls_may_not_join_the_group_of_a_ring_fix(tmp_path, deck, when):
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_ring_that_joins_the_group_is_reported(tmp_path, deck, ranks):
     """The report once had only as many rows as there were rings when the fix was created, and the
-    fix wrote beyond them.
+    fix wrote beyond its last row.
 
-    Inner and outer ring now form one group; the outer ring has its own row, and moves.
+    Inner and outer ring now form one group; the outer ring has a row of its own, and moves.
     """
     end = outcome(
         tmp_path,
@@ -94,7 +94,7 @@ def test_a_ring_that_joins_the_group_is_reported(tmp_path, deck, ranks):
 
 
 def test_a_second_bearing_joins_the_group(tmp_path, deck):
-    """The second bearing is created after the fix, and the group includes its inner ring."""
+    """The second bearing is created after the fix, and its inner ring is added to the group."""
     wide = deck.replace("block -0.05 0.05", "block -0.05 0.3")
     second = (
         "create_bearing 1 none 2 3 balls 9 diameter 12.6e-3 speed 50.0 0 centre 0.2 0 0\n"
@@ -116,7 +116,7 @@ def test_a_second_bearing_joins_the_group(tmp_path, deck):
 
 
 def test_rows_of_a_group_that_grew_wait_for_the_next_run(tmp_path, deck):
-    """Until the next run begins, the report covers the rings of the previous run."""
+    """Until the next run begins, the report still covers the rings of the previous run."""
     end = outcome(
         tmp_path,
         deck,

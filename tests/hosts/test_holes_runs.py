@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs that once failed silently, or with the wrong message: contacts beyond validity, lost balls,
-steps without progress, restart files, and two writers in one folder."""
+"""Tests of runs that once failed silently, or with the wrong message: contacts outside the range of
+validity, lost balls, steps without progress, restart files, and two processes that write to one
+folder."""
 
 import os
 import re
@@ -30,7 +31,7 @@ SHORT = {"passes": 1, "samples": 20, "settle": 0.1}
 
 
 def outcome(tmp_path, deck, commands, **kwargs):
-    """Return the outcome of `deck` with `commands` instead of its last run."""
+    """Return the outcome of `deck` with its last run replaced by `commands`."""
     assert deck.count(RUN) == 1
     file = tmp_path / "in.hole"
     file.write_text(deck.replace(RUN, commands))
@@ -47,8 +48,8 @@ def refused(end, message):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_ball_that_leaves_the_box_is_missed(tmp_path, ranks):
-    """LIGGGHTS once deleted balls: 1 of 11 atoms was left, and all results and the exit code were
-    0."""
+    """LIGGGHTS once deleted balls without an error: 1 of 11 atoms was left, all results were 0, and
+    so was the exit code."""
     end = outcome(
         tmp_path,
         SMALLEST,
@@ -59,8 +60,8 @@ def test_a_ball_that_leaves_the_box_is_missed(tmp_path, ranks):
 
 
 def test_a_cage_without_rails(tmp_path):
-    """Cage balls once left the box: after 200,000 steps 14 of 20 atoms were left, and the exit code
-    was 0."""
+    """Cage balls once left the box without an error: after 200,000 steps 14 of 20 atoms were left,
+    and the exit code was 0."""
     deck = tmp_path / "in.norails"
     text = EHD.replace("fix rails cage bearing/cage 4\n", "").replace(" v_rails", "")
     text = re.sub(r"variable rails equal .*\n", "", text)
@@ -96,14 +97,15 @@ def test_a_step_that_vanishes_is_no_limit(tmp_path):
     ],
 )
 def test_limits_of_an_implicit_step(tmp_path, words, message):
-    """With the first setting the step once never ended; with the second the load was 2.7 times too
-    large."""
+    """With the first setting, a step once never ended; with the second, the load was too large by a
+    factor of 2.7."""
     deck = IMPLICIT.replace("bearing/implicit", f"bearing/implicit {words}")
     refused(outcome(tmp_path, deck, "run 1\n", timeout=20), message)
 
 
 def test_a_cage_without_a_coefficient(tmp_path):
-    """Cage balls that pass through balls cause a warning, but not if there is a coefficient."""
+    """If cage balls pass through balls because there is no coefficient, there is a warning; with a
+    coefficient there is none."""
     for name, text in (
         ("without", EHD.replace("pair_coeff 1 2 sphere", "#")),
         ("with", EHD),
@@ -120,7 +122,7 @@ def test_a_cage_without_a_coefficient(tmp_path):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_an_ellipse_as_wide_as_the_groove(tmp_path, integrator):
-    """Under 300 kN, which `raceway static` rejected, a run once continued to 10 GPa."""
+    """Under 300 kN, which `raceway static` rejected, a run once continued up to 10 GPa."""
     end = liggghts(
         "inputs/in.6208", out=tmp_path, load=3e5, integrator=integrator, timeout=120, **SHORT
     )
@@ -128,7 +130,7 @@ def test_an_ellipse_as_wide_as_the_groove(tmp_path, integrator):
 
 
 def test_an_almost_conformal_groove(tmp_path):
-    """The contact ellipse was once 429 mm long on a ball of 12.6 mm."""
+    """The contact ellipse on a ball of 12.6 mm was once 429 mm long."""
     end = liggghts("inputs/in.6208", out=tmp_path, inner_groove=6.3000001e-3, **SHORT)
     refused(end, r"contact ellipse (is )?as wide as the groove")
 
@@ -144,7 +146,8 @@ def test_pressure_beyond_iso_76(tmp_path):
 
 
 def test_an_ellipse_past_its_shoulder(tmp_path):
-    """If the deck gives the shoulders, a run warns as `raceway summary` does."""
+    """If the deck gives the shoulder diameters, a run warns in the same way as `raceway
+    summary`."""
     words = dict(out=tmp_path, load=1.5e5, **SHORT)
     found = dict(doubts(succeed("inputs/in.6208", **words).text))
     (name,) = (one for one in found if one.startswith("reach of a contact ellipse"))
@@ -169,7 +172,7 @@ def test_a_film_outside_its_fit(tmp_path, law, warned):
 
 @pytest.mark.parametrize("ramp", [0, 0.1])
 def test_a_ramp_longer_than_the_settling(tmp_path, ramp):
-    """The load was once measured during its ramp."""
+    """The load was once measured while it was still being ramped up."""
     succeed("inputs/in.6208", out=tmp_path, ramp=ramp, **SHORT)
     assert summary(RunTables(tmp_path))["force_y_N"] == pytest.approx(5000, rel=1e-2)
 
@@ -184,7 +187,7 @@ def test_a_film_thicker_than_its_contact_is_long(tmp_path):
 
 @pytest.mark.parametrize("capacitance", [True, False])
 def test_a_capacitance_of_a_film_that_conducts(tmp_path, capacitance):
-    """At 48 rpm, a Lambda of 0.3 causes a warning only if a capacitance is requested."""
+    """At 48 rpm, the lambda ratio of 0.3 causes a warning only if a capacitance is requested."""
     text = EHD.replace("lubricant 0.040", "lubricant 0.001").replace("run 40000", "run 20000")
     if not capacitance:
         text = re.sub(r"fix cap .*|dump .*&\n.*|dump_modify .*| h_c capacitance| f_cap", "", text)
@@ -204,7 +207,7 @@ def test_a_usual_run_is_in_no_doubt(tmp_path):
 
 
 def test_restart_files_of_the_deck_are_its_own(tmp_path):
-    """The fix once accepted any restart file and crashed at the next step."""
+    """The fix once accepted any restart file, and then crashed at the next step."""
     end = outcome(
         tmp_path,
         SMALLEST,
@@ -246,7 +249,7 @@ run 100
 
 @pytest.mark.parametrize("sanitized", [False, True])
 def test_a_checkpoint_of_nothing_but_the_run(tmp_path, sanitized):
-    """Without counters and files nothing is copied from a null pointer."""
+    """If there are no counters and no files, nothing is copied from a null pointer."""
     if sanitized and not HOSTS["sanitized"][0].exists():
         pytest.fail("build/sanitized/liggghts is missing: run make sanitized", pytrace=False)
     file = tmp_path / "ck"
@@ -261,7 +264,8 @@ def test_a_checkpoint_of_nothing_but_the_run(tmp_path, sanitized):
 
 @pytest.fixture(scope="module")
 def stopped(tmp_path_factory):
-    """Return the folder of a run that received SIGTERM during its measurement; tests copy it."""
+    """Return the folder of a run that received SIGTERM during its measurement; tests work on a
+    copy."""
     out = tmp_path_factory.mktemp("stopped") / "run"
     process = start({"passes": 40, "samples": 100, "keep": 20}, out)
     end = time.monotonic() + 60
@@ -274,7 +278,8 @@ def stopped(tmp_path_factory):
 
 
 def test_every_flipped_bit_of_a_restart_file_is_noticed(stopped, tmp_path):
-    """The format of the host has no checksum, so 33 of 77 damaged files were once not detected."""
+    """The restart format of the host has no checksum, so 33 of 77 damaged files once went
+    undetected."""
     out = tmp_path / "run"
     shutil.copytree(stopped, out)
     good = (out / "restart").read_bytes()
@@ -289,13 +294,13 @@ def test_every_flipped_bit_of_a_restart_file_is_noticed(stopped, tmp_path):
         assert re.search(r"is damaged: its checksum is wrong", end.error), end.text[-800:]
 
 
-# ---- one writer a folder -----------------------------------------------------------------------
+# ---- one writer per folder -----------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
 def test_two_runs_in_one_folder(tmp_path, host):
-    """The second run reports which process is writing there, and the first is not affected. When
-    the first process is killed, the folder is released at once."""
+    """The second run reports which process is writing to the folder, and the first run is not
+    affected. When the first process is killed, the folder is released at once."""
     out = tmp_path / "run"
     program, _ = HOSTS[host]
     deck = tmp_path / "in.waits"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run that is stopped or killed at a random moment and resumed is bitwise identical to an
-uninterrupted run. `kills.py` repeats this fifty times."""
+"""If a run is stopped or killed at a random moment and then resumed, its results are bitwise
+identical to those of an uninterrupted run. `kills.py` repeats this test fifty times."""
 
 import random
 import signal
@@ -13,7 +13,7 @@ from hosts.kills import SCENES, disturb, run
     scope="module", params=SCENES, ids=lambda scene: scene.get("models", scene["integrator"])
 )
 def undisturbed(request, tmp_path_factory):
-    """Return a scene, the folder of its run, and the run time (s)."""
+    """Return a scene, the folder of its undisturbed run, and the wall time of this run in s."""
     folder = tmp_path_factory.mktemp("undisturbed") / "run"
     return request.param, folder, run(request.param, folder)
 

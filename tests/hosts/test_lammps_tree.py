@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Raceway as a package of a LAMMPS source tree is installed, rejected in an unsuitable tree, and
-removed. The trees here contain only the inspected files; own_lammps.py uses a complete tree."""
+"""Raceway is installed as a package in a LAMMPS source tree, is rejected in an unsuitable tree, and
+can be removed. The trees in this file contain only those files that the installer inspects;
+own_lammps.py uses a complete tree."""
 
 import subprocess
 
@@ -54,7 +55,7 @@ def make(what, tree):
 
 
 def contents(tree):
-    """Return all files and folders of a tree."""
+    """Return all files and folders in a tree."""
     return {
         str(path.relative_to(tree)): path.read_text() if path.is_file() else None
         for path in tree.rglob("*")
@@ -124,7 +125,7 @@ def test_a_file_changed_since(tree):
 
 
 def test_package_that_is_in_use(tree):
-    """`make yes-raceway` has copied the package to src."""
+    """`make yes-raceway` has copied the package to src, so it is in use."""
     assert make("install", tree)[0] == 0
     (tree / "src" / "create_bearing.cpp").touch()
     refused(tree, "no-raceway first", what="uninstall")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Raceway in an upstream LIGGGHTS source tree is bitwise identical to Raceway with Debian's
-library; it is rejected in an unsuitable tree, and can be removed."""
+"""The results of Raceway installed in an upstream LIGGGHTS source tree are bitwise identical to
+those with Debian's library. The installation is rejected in an unsuitable tree, and can be
+removed."""
 
 import os
 import shutil
@@ -29,7 +30,7 @@ def make(what, tree):
 
 
 def contents(tree):
-    """Return every file of a tree."""
+    """Return all files in a tree."""
     return {
         str(path.relative_to(tree)): path.read_bytes()
         for path in sorted(tree.rglob("*"))
@@ -39,7 +40,8 @@ def contents(tree):
 
 @pytest.fixture(scope="module")
 def upstream(tmp_path_factory):
-    """Return the upstream sources used here: all of src without its packages, unmodified."""
+    """Return the upstream sources that the tests use: all of src without its packages,
+    unmodified."""
     whole = unpacked(tmp_path_factory.mktemp("upstream") / "liggghts")
     tree = tmp_path_factory.mktemp("small")
     (tree / "src" / "MAKE").mkdir(parents=True)
@@ -135,7 +137,7 @@ def test_another_change_of_a_patched_file_is_kept(tree):
 
 def test_an_interrupted_installation_is_taken_out(tree):
     """If an installation is killed half-way, the files installed so far can be removed, because the
-    manifest is written first."""
+    manifest is written before them."""
     before = contents(tree)
     assert make("install", tree)[0] == 0
     for name in ("film.h", "create_bearing.cpp"):
@@ -146,7 +148,7 @@ def test_an_interrupted_installation_is_taken_out(tree):
 
 
 def test_a_failure_half_way_leaves_nothing(tree):
-    """One of the last files cannot be written, because a non-empty folder has its name."""
+    """One of the last files cannot be written, because a folder that is not empty has its name."""
     (tree / "src" / "finish.cpp.raceway-new").mkdir()
     (tree / "src" / "finish.cpp.raceway-new" / "x").write_text("x")
     refused(tree, "removed again")
@@ -157,7 +159,8 @@ def times(tree):
 
 
 def test_patches_keep_the_times_of_files(tree):
-    """The patches do not change the compiled program, so the host's objects need not be rebuilt."""
+    """The patches do not change the compiled program, so the object files of the host need not be
+    rebuilt."""
     before = times(tree)
     assert make("install", tree)[0] == 0
     assert times(tree) == before
@@ -165,7 +168,7 @@ def test_patches_keep_the_times_of_files(tree):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_main_deck_has_the_same_bits(tmp_path, integrator):
-    """A few fast passes of the main deck agree in every column of every sample."""
+    """A few passes of the main deck at high speed agree in every column of every sample."""
     case = {"integrator": integrator, "rpm": 20000, "passes": 1, "samples": 20, "dumps": "yes"}
     succeed("inputs/in.6208", out=tmp_path / "debian", **case)
     succeed("inputs/in.6208", program=PROGRAM, out=tmp_path / "tree", **case)
@@ -178,7 +181,7 @@ def test_main_deck_has_the_same_bits(tmp_path, integrator):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_transient_has_the_same_bits(tmp_path, ranks):
-    """All digits agree if the rings are free to tilt, on one rank and on two."""
+    """All digits agree if the rings are free to tilt, both on one rank and on two."""
     succeed("tests/hosts/in.bits", out=tmp_path / "debian", tilt="free")
     succeed("tests/hosts/in.bits", program=PROGRAM, ranks=ranks, out=tmp_path / "tree", tilt="free")
     for name in ("contacts.dump", "balls.dump"):
@@ -189,15 +192,15 @@ def test_transient_has_the_same_bits(tmp_path, ranks):
 
 
 def test_it_is_the_tree_that_ran(tmp_path):
-    """The program is built from the tree, without Debian's LIGGGHTS library."""
+    """The program is built from the tree and does not use Debian's LIGGGHTS library."""
     libraries = subprocess.run(["ldd", PROGRAM], text=True, capture_output=True, check=True).stdout
     assert "liggghts" not in libraries
     assert os.path.islink(PROGRAM)
 
 
 def test_sources_of_apt_in_one_line(tmp_path):
-    """The private apt sources are derived from the sources of the machine, in either format,
-    without other suites and repositories."""
+    """The private apt sources are derived from the sources of the machine, whichever format these
+    have; other suites and repositories are left out."""
     (tmp_path / "sources.list").write_text(
         "# deb x\ndeb [arch=amd64 signed-by=/k.gpg] http://m/debian bookworm main contrib\n"
         "deb http://m/debian bookworm-updates main\ndeb http://n/x nodistro main\n"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The styles are available in every way to start LIGGGHTS: after `clear`, with LD_PRELOAD, in
+"""The styles are available however LIGGGHTS is started: after `clear`, with LD_PRELOAD, in
 partitions, and from Python."""
 
 import os
@@ -12,7 +12,7 @@ from host import FORMATS, ROOT, frames, succeed
 
 
 def test_clear(tmp_path):
-    """The results for the second bearing of a script, after `clear`, are bitwise identical to those
+    """The results for the second bearing in a script, after `clear`, are bitwise identical to those
     for the first."""
     deck = tmp_path / "in.clear"
     deck.write_text(
@@ -24,8 +24,8 @@ def test_clear(tmp_path):
 
 
 def test_partition(tmp_path):
-    """Two partitions run two lubricants at once (universe variables), and each is bitwise identical
-    to a separate run."""
+    """Two partitions run two lubricants at the same time (universe variables), and the results of
+    each are bitwise identical to those of a separate run."""
     deck = tmp_path / "in.partition"
     deck.write_text(
         "variable lubricant universe mineral pao48\nvariable out index"
@@ -47,7 +47,7 @@ def test_partition(tmp_path):
     ],
 )
 def test_preload_into_the_stock_program(program, host, styles, tmp_path):
-    """Debian's programs run with the styles loaded by LD_PRELOAD."""
+    """Debian's programs run decks after the styles have been loaded with LD_PRELOAD."""
     done = subprocess.run(
         [
             f"/usr/bin/{program}",
@@ -74,8 +74,8 @@ def test_preload_into_the_stock_program(program, host, styles, tmp_path):
 
 
 def test_from_python(tmp_path):
-    """The library is loaded with ctypes (docs: "From Python"), and its C interface runs the
-    deck."""
+    """The library is loaded with ctypes (docs: "From Python"), and runs the deck through its C
+    interface."""
     script = textwrap.dedent("""
         import ctypes, sys
         lib = ctypes.CDLL(sys.argv[1], mode=ctypes.RTLD_GLOBAL)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A finished run is not overwritten by default, and can be continued with more ball passes."""
+"""By default, a finished run is not overwritten; it can be continued with more ball passes."""
 
 import pytest
 from host import ROOT, liggghts, run, succeed
@@ -25,7 +25,7 @@ def test_finished_run_stays(tmp_path, deck):
 
 
 def test_finished_run_that_cannot_go_on(tmp_path):
-    """The run has no restart file, for example because it was made by an older version."""
+    """The run has no restart file, for example because an older version made it."""
     succeed(DECK, out=tmp_path, **SHORT)
     (tmp_path / "restart").unlink()
     failed = liggghts(DECK, out=tmp_path, resume="yes", **SHORT)
@@ -36,7 +36,8 @@ def test_finished_run_that_cannot_go_on(tmp_path):
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_more_passes(tmp_path, host, integrator):
-    """The continued run has the same bytes as a run that had this length from the start."""
+    """The output of the continued run is identical, byte for byte, to that of a run that had this
+    length from the start."""
     scene = {**SHORT, "integrator": integrator, "dumps": "yes", "unbalance": 1e-5}
     succeed(DECK, host=host, out=tmp_path / "whole", **{**scene, "passes": 5})
     for passes in (2, 3, 5):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway needs` with the real program: its answers for random scenes are judged by separate
-runs."""
+"""Tests of `raceway needs` with the real program: its recommendations for random scenes are
+compared with separate runs."""
 
 import json
 import random
@@ -16,14 +16,14 @@ from raceway.sweeps.scene_parts import REFERENCE, choices, sets, variables
 SEED = 16
 SHORT = {"passes": "1", "settle": "1"}
 WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
-# options that are kept fixed in the second scene, for speed
+# options that are kept in the second scene to save time
 FEW = ["asperities", "differential_slip", "drag", "inlet_shear", "record", "rolling", "samples"]
 FEW += ["rolling_hysteresis", "film_branch", "spin", "damping", "relative 5e-4", "starvation"]
 FEW += ["cage"]
 
 
 def scene(number):
-    """Return the variables of a random scene: load, speed, clearance, oil, temperature."""
+    """Return the variables of a random scene: load, speed, clearance, oil and temperature."""
     draw = random.Random(100 * SEED + number)
     return {
         **SHORT,
@@ -41,7 +41,7 @@ def words(variables):
 
 @pytest.fixture(scope="module", params=[(0, []), (1, ["--keep", *FEW])], ids=["all", "few"])
 def answered(request, tmp_path_factory):
-    """Return (scene, output of raceway needs, folder of the output)."""
+    """Return (scene, output of raceway needs, folder that contains the output)."""
     number, keep = request.param
     folder = tmp_path_factory.mktemp("needs")
     with pytest.MonkeyPatch.context() as patch:
@@ -53,7 +53,8 @@ def answered(request, tmp_path_factory):
 
 @pytest.fixture
 def undrawn(monkeypatch):
-    """Run from the root without the picture, which `answered` draws and which takes a second."""
+    """Run from the root without drawing the picture, which takes a second and which `answered`
+    draws."""
     monkeypatch.chdir(ROOT)
     monkeypatch.setattr("raceway.pictures.needs.picture", lambda found, path: None)
 
@@ -63,8 +64,8 @@ def figures(folder):
 
 
 def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
-    """Two runs are made by hand: one with the full model, finer than the reference of the command,
-    and one with the settings that the command recommends."""
+    """Two runs are started by hand: one with the full model, with finer settings than the command's
+    reference, and one with the settings that the command recommends."""
     own, found, _ = answered
     assert found["wanted"] == WANTED
     finer = {**REFERENCE, "tolerance": "1e-11", "samples": 500}
@@ -77,7 +78,7 @@ def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
         assert abs(picked[word] / exact[word] - 1) <= most, word
         assert found["best"]["errors"][word] <= most, word
     assert found["best"]["evaluations"] < 0.2
-    times = found["processor_s"]  # three runs each, and no run is shared
+    times = found["processor_s"]  # three separate runs for each set
     assert {len(one) for one in times.values()} == {3}
     assert not set(times["reference"]) & set(times["picked"])
     assert (Run(tmp_path / "picked").settings["evaluations"]) == pytest.approx(
@@ -86,8 +87,8 @@ def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
 
 
 def test_warnings_of_the_reference(undrawn, tmp_path, capsys):
-    """The warnings are those of the reference, here a 7205B under radial load alone, with one part
-    that may be omitted."""
+    """The warnings are those of the reference run, here for a 7205B under a purely radial load,
+    with one part that may be omitted."""
     own = words({**SHORT, "bearing": "7205B", "load": "1000", "rpm": "3000"})
     keep = sorted({one.name for one in choices({}, True)} - {"drag"})
     assert main(["needs", "inputs/in.6208", *own, "--keep", *keep, "--out", str(tmp_path)]) == 0
@@ -117,7 +118,8 @@ def test_effects_are_those_of_the_runs(answered, tmp_path):
         assert rows["gap"]["errors"][word] == pytest.approx(
             abs(without[word] / value - 1), rel=1e-9, abs=1e-12
         )
-    # the ellipses alone are far from the total capacitance; motion and film do not depend on it
+    # the ellipses alone are far from the total capacitance, but motion and film do not depend on
+    # them
     errors = rows["surroundings"]["errors"]
     assert errors["capacitance"] > 0.1
     assert {value for word, value in errors.items() if word != "capacitance"} == {0.0}
@@ -137,7 +139,7 @@ def test_goes_on_without_running_again(answered, capsys, undrawn):
 
 
 def test_wants_that_forbid_everything(answered, undrawn):
-    """If nothing may be omitted, the reference is chosen."""
+    """If no part may be omitted, the reference is chosen."""
     own, _, folder = answered
     tight = ["--want", "torque=1e-9", "capacitance=1e-9", "--keep", *FEW]
     assert main(["needs", "inputs/in.6208", *words(own), *tight, "--out", str(folder)]) == 0
@@ -165,7 +167,7 @@ def test_mistakes(tmp_path, monkeypatch, capsys):
 
 
 def test_sets():
-    """A set has at most one part of a group, and no part that its models do not have."""
+    """A set contains at most one part of each group, and no part that its models do not have."""
     known = choices({}, True)
     every = sets([one for one in known if one.name not in ("cage", "surroundings", "spin")])
     names = [{choice.name for choice in picked} for picked in every]
@@ -179,7 +181,7 @@ def test_sets():
     picked = tuple(one for one in known if one.name in ("gap", "drag", "samples 40"))
     assert variables(picked) == {**REFERENCE, "samples": "40", "without": "gap+drag"}
     assert all("film" not in choice.name for choice in choices({}, False))
-    # a scene with these settings leaves no choice
+    # a scene with these settings leaves nothing to choose
     chosen = {"cage": "no", "surroundings": "none", "load": "5000", "settle": "auto"}
     gone = {one.name for one in known} - {one.name for one in choices(chosen, True)}
     assert gone == {"cage", "surroundings"}
@@ -187,7 +189,8 @@ def test_sets():
 
 
 def test_parts_of_a_cage_ring_are_choices():
-    """Parts of a one-piece cage are choices, but parts of a land only if a land guides the cage."""
+    """Parts of a one-piece cage are choices, but the parts of a land only if a land guides the
+    cage."""
 
     def parts(**scene):
         return {one.name for one in choices(scene, True, {"cage": "yes", "cage_guide": "balls"})}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The order of the fixes in a deck is checked where it matters, and changes nothing elsewhere."""
+"""The order of the fixes in a deck is checked where it matters, and has no effect elsewhere."""
 
 import re
 
@@ -18,7 +18,8 @@ def outcome(tmp_path, deck):
 
 @pytest.mark.parametrize("first", ["capacitance", "checkpoint"])
 def test_a_checkpoint_that_samples_comes_after_the_capacitance(tmp_path, first):
-    """In the opposite order the checkpoint would average the capacitance of the previous sample."""
+    """In the opposite order, the checkpoint would average the capacitance of the previous
+    sample."""
     fixes = {
         "capacitance": "fix cap balls bearing/capacitance 200 permittivity 2.25\n",
         "checkpoint": "variable total equal f_cap\n"
@@ -41,8 +42,8 @@ def test_a_checkpoint_that_samples_comes_after_the_capacitance(tmp_path, first):
 
 @pytest.mark.parametrize("before", [True, False], ids=["before the ring fix", "after it"])
 def test_the_report_of_a_ring_holds_contacts_alone(tmp_path, before):
-    """A force that another fix adds to a ring does not count as a ball force, regardless of where
-    this fix is in the deck."""
+    """A force that another fix adds to a ring is not included in the ball force, regardless of the
+    position of this fix in the deck."""
     push = "fix push inner addforce 0.0 0.0 7.0\n"
     deck = SMALLEST.replace(RING, push + RING if before else RING + push)
     deck = deck.replace(

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Restart files of another run or another build are rejected, and the message states the cause."""
+"""Restart files written by another run or another build are rejected, with a message that states
+the cause."""
 
 import re
 
@@ -27,8 +28,8 @@ REFUSED = {
 
 @pytest.mark.parametrize("host", HOSTS)
 def test_formulas(host, tmp_path):
-    """A continued run must have the formulas with which it began, including formulas of variables
-    that are named only in other formulas."""
+    """A run must be continued with the same formulas with which it began. This includes formulas of
+    variables that appear only in other formulas."""
     deck, kept = tmp_path / "in.deck", tmp_path / "kept"
     keep = f"fix keep all bearing/checkpoint 100 {tmp_path}/run"
     deck.write_text(BOX + BEARING + RISING + SCENE + f"{keep}\n{RUN}write_restart {kept}\n")
@@ -46,7 +47,8 @@ def test_formulas(host, tmp_path):
 
 @pytest.mark.parametrize("host", HOSTS)
 def test_builds(host, tmp_path):
-    """The layout of restart files has a number, which files of earlier builds do not have."""
+    """The layout of restart files has a number, which is missing in files written by earlier
+    builds."""
     deck, kept = tmp_path / "in.deck", tmp_path / "kept"
     deck.write_text(BOX + BEARING + MOVES + RUN + f"write_restart {kept}\n")
     succeed(deck, host=host)

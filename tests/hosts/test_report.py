@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway report` writes one self-contained HTML page for a run and for a sweep."""
+"""`raceway report` writes one self-contained HTML page, for a run or for a sweep."""
 
 import json
 import re
@@ -23,7 +23,7 @@ TABLE = """load,lubricant,passes,samples
 4000,vg32,1,20
 1e9,dry,1,20
 """
-# actions in a browser: zoom into the first chart, read a value, choose another axis
+# actions in a browser: zoom into the first chart, read a value, and choose another axis
 ACTIONS = """
 <script>
 window.addEventListener("load", () => {
@@ -51,7 +51,7 @@ window.addEventListener("load", () => {
 
 
 class Parsed(HTMLParser):
-    """The tags of a page with their attributes, its data scripts by id, and its text."""
+    """The tags of a page with their attributes, the scripts with data by id, and the text."""
 
     def __init__(self, page):
         super().__init__()
@@ -73,7 +73,7 @@ class Parsed(HTMLParser):
 def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("report") / "a<b>&c"
     succeed("inputs/in.6208", out=folder.with_name("run"), lubricant="vg68", **SCENE)
-    folder.with_name("run").rename(folder)  # a name with characters that are special in HTML
+    folder.with_name("run").rename(folder)  # the name has characters that are special in HTML
     assert main(["report", str(folder)]) == 0
     return folder
 
@@ -124,7 +124,7 @@ def test_page_loads_nothing(folder, sweep):
 
 
 def test_command_repeats_the_run(folder, tmp_path):
-    """The command on the page repeats the run, with bitwise identical loads."""
+    """The command shown on the page repeats the run, with bitwise identical loads."""
     text = Parsed((folder / "report.html").read_text()).text
     (command,) = re.findall(r"build/liggghts -in inputs/in.6208 .*", text)
     words = shlex.split(command)[3:]
@@ -140,7 +140,7 @@ def test_page_of_a_sweep(sweep):
     assert "bearing: load (N) is 1e+09" in page.text
     (chart,) = page.data.values()
     assert chart["table"]["load"] == [1000, 2000, 4000] and chart["x"] == "load"
-    assert chart["table"]["capacitance_F"][1] is None  # dry
+    assert chart["table"]["capacitance_F"][1] is None  # the run is dry
     assert "raceway sweep TABLE.csv" in page.text
     lines = [sorted(line.split(",")) for line in page.text.splitlines()]
     for row in TABLE.replace("1e9", "1000000000").split():
@@ -161,8 +161,8 @@ def test_record_without_contacts(tmp_path, capsys):
 
 @pytest.mark.skipif(shutil.which("chromium") is None, reason="chromium is not installed")
 def test_in_a_browser(folder, sweep, tmp_path):
-    """Debian's Chromium draws the charts. Dragging a frame zooms, a double click resets the zoom,
-    the mouse reads values, and a menu selects an axis."""
+    """Debian's Chromium draws the charts. Dragging a frame zooms in, a double click resets the
+    zoom, the mouse reads values, and a menu selects an axis."""
     for number, path in enumerate((folder / "report.html", sweep / "page.html")):
         page = tmp_path / f"{number}.html"
         page.write_text(path.read_text().replace("</body>", ACTIONS + "</body>"))

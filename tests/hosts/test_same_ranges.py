@@ -19,7 +19,7 @@ REFUSED = [
     ("bearings/7208", {"inner_conformity": "3e-3"}),
     ("bearings/7208", {"pocket_play": "-1e-4"}),
     ("bearings/7208", {"bearing_width": "18"}),
-    ("bearings/7208", {"outer_shouldr_diameter": "0"}),  # would be ignored
+    ("bearings/7208", {"outer_shouldr_diameter": "0"}),  # a misspelt name would be ignored
     ("bearings/6208", {"four_point": "4"}),
     ("bearings/7208", {"clearance": "1e-5"}),
     ("bearings/6208", {"clearance": "-6e-4"}),
@@ -32,13 +32,13 @@ TAKEN = [
     ("bearings/6208", {"four_point": "0", "inner_shoulder_diameter": "0"}),
     ("bearings/6208", {"clearance": "9e-5"}),
     ("bearings/6208", {"price": "12"}),
-    # three letters differ, so this is a name of the user
+    # three letters differ, so this is assumed to be a name chosen by the user
     ("bearings/7208", {"inner_conformities": "9"}),
 ]
 
 
 def changed(folder, file, values):
-    """Return an inputs folder in which `file` has other `values`."""
+    """Return an inputs folder in which some values in `file` are replaced by `values`."""
     kind, name = file.split("/")
     for one in (ROOT / "inputs").iterdir():
         if one.name != kind:
@@ -60,7 +60,7 @@ STYLES = {
 
 @pytest.mark.parametrize("words", STYLES)
 def test_range_of_young(tmp_path, words):
-    """Every style accepts Young's moduli in the range of bearing data."""
+    """Every style accepts values of Young's modulus in the range that is valid for bearing data."""
     data = {one["name"]: one["range"] for one in rows() if one["of"] == "bearing data"}
     ends = [float(value) for value in data["ball_young"].split()]
     for value, code in ((ends[0], 0), (ends[1], 0), (0.9 * ends[0], 1), (1.1 * ends[1], 1)):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The programs start Open MPI quickly when started alone, by the rules of Open MPI when started by
-a launcher, and always with the user's settings."""
+"""The programs start Open MPI quickly if they are started alone, by the rules of Open MPI if a
+launcher starts them, and always with the user's settings."""
 
 import re
 import subprocess
@@ -33,7 +33,7 @@ def settings(host, tmp_path, deck="", ranks=1, **environment):
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_alone(host, tmp_path):
-    """Without a launcher there is no daemon and no search for networks."""
+    """Without a launcher, no daemon is started and no networks are searched for."""
     assert settings(host, tmp_path).items() >= OURS.items()
 
 
@@ -46,12 +46,12 @@ def test_launcher(tmp_path):
 
 @pytest.mark.parametrize("name", ["PMIX_RANK", "PMI_RANK", "SLURM_STEP_ID", "FLUX_TASK_RANK"])
 def test_other_launchers(name, tmp_path):
-    """If a single variable of a launcher is set, Open MPI's settings are not changed."""
+    """Open MPI's settings stay unchanged as soon as a single variable of a launcher is set."""
     assert "ess_singleton_isolated" not in settings("liggghts", tmp_path, **{name: "0"})
 
 
 def test_settings_of_the_user_win(tmp_path):
-    """A setting of the user takes precedence, even if only one of two is set."""
+    """A user's setting takes precedence, even if the user sets only one of the two."""
     found = settings("liggghts", tmp_path, OMPI_MCA_ess_singleton_isolated="0")
     assert (found["ess_singleton_isolated"], found["pml"]) == ("false", "ob1")
     found = settings("liggghts", tmp_path, OMPI_MCA_pml="^cm")
@@ -59,8 +59,8 @@ def test_settings_of_the_user_win(tmp_path):
 
 
 def test_programs_that_a_deck_starts(tmp_path):
-    """Child processes get the user's environment, because `shell mpirun ...` must not inherit the
-    singleton settings."""
+    """Child processes receive the user's environment, because `shell mpirun ...` must not inherit
+    the singleton settings."""
     settings("liggghts", tmp_path, "shell env > seen", OMPI_MCA_pml="^cm")
     seen = (tmp_path / "seen").read_text().splitlines()
     assert "OMPI_MCA_pml=^cm" in seen
@@ -70,8 +70,8 @@ def test_programs_that_a_deck_starts(tmp_path):
 
 
 def test_many_starts_at_once(tmp_path):
-    """Without isolation, ten of 400 starts, eight at a time, failed in MPI_Init, because processes
-    that ended removed the session folder of those that started."""
+    """Without isolation, ten of 400 starts (eight at a time) failed in MPI_Init, because processes
+    that ended removed the session folder of processes that were starting."""
     deck = tmp_path / "in.nothing"
     deck.write_text("units si\n")
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway sweep` with the real program: points, failures, locks, kills, job arrays and the scripts
-in inputs/cluster."""
+"""Tests of `raceway sweep` with the real program: points, failures, locks, kills, job arrays and
+the scripts in inputs/cluster."""
 
 import contextlib
 import io
@@ -66,7 +66,8 @@ def table(tmp_path):
 
 
 def test_a_deck_of_several_bearings_without_resume(tmp_path):
-    """The results have columns for each bearing, with the values of its summary."""
+    """The table of results has columns for each bearing, which contain the values of its
+    summary."""
     (tmp_path / "t.csv").write_text("rpm\n3000\n")
     out = tmp_path / "out"
     done = sweep(tmp_path / "t.csv", "--deck", "docs/decks/in.two_bearings", "--out", out)
@@ -81,7 +82,8 @@ def test_a_deck_of_several_bearings_without_resume(tmp_path):
 
 @pytest.fixture
 def counter(tmp_path):
-    """Return a program that adds a line per start to a file next to the folder of the point."""
+    """Return a program that adds a line for each start to a file next to the folder of the
+    point."""
     path = tmp_path / "counter.sh"
     path.write_text(COUNTER.format(program=ROOT / "build" / "liggghts"))
     path.chmod(0o755)
@@ -102,7 +104,7 @@ def test_sweep(table, tmp_path, counter):
     assert "3 finished, 1 failed" in done.stdout
     assert "bearing: load (N) is 2e+07, must be from 0.001 to 1e+06" in done.stderr
     results = pd.read_csv(out / "results.csv")
-    # sorted by load, then speed
+    # the table is sorted by load, then by speed
     assert list(results["status"]) == ["finished", "finished", "finished", "failed"]
     assert "must be from 0.001" in results["message"][3]
     one = results.set_index("point").loc[
@@ -119,12 +121,12 @@ def test_sweep(table, tmp_path, counter):
     assert (out / one.name / "record.nc").read_bytes() == (
         tmp_path / "alone" / "record.nc"
     ).read_bytes()
-    # a second call runs nothing and keeps failures; with --retry only the failed point runs
+    # a second call runs nothing and keeps failures; with --retry only the failed point is run again
     again = sweep(table, "--out", out, "--program", counter)
     assert "3 finished (3 before), 1 failed" in again.stdout and set(starts(out).values()) == {1}
     sweep(table, "--out", out, "--program", counter, "--retry")
     assert sorted(starts(out).values()) == [1, 1, 1, 2]
-    # gathering is part of a sweep, and is also a command
+    # gathering results is part of a sweep, and also a separate command
     (out / "results.csv").unlink()
     gathered = subprocess.run(
         words("gather", out), cwd=ROOT, env=ENV, text=True, capture_output=True, check=False
@@ -134,8 +136,8 @@ def test_sweep(table, tmp_path, counter):
 
 
 def test_shares_of_the_time(tmp_path, capsys):
-    """A column `share` is copied to results.csv, from which `--spectrum` computes the life of the
-    runs. Statics under the same loads agrees."""
+    """A column `share` is copied to results.csv, from which `--spectrum` computes the life for the
+    runs. Statics for the same loads agrees with it."""
     path, out = tmp_path / "duties.csv", tmp_path / "out"
     head, rows = "load,rpm,share", ("2000,1500,0.7", "5000,3000,0.3")
     path.write_text("\n".join([f"{head},passes,samples", *(f"{row},1,20" for row in rows)]) + "\n")
@@ -154,14 +156,14 @@ def test_shares_of_the_time(tmp_path, capsys):
 
 
 def test_finished_means_the_figures_of_these_variables(table, tmp_path, counter):
-    """A folder whose files contain other settings does not count as finished."""
+    """A folder whose files contain other settings is not treated as finished."""
     out = tmp_path / "out"
     sweep(table, "--out", out, "--program", counter)
     name = "load=2000_rpm=1000_lubricant=dry_passes=1_samples=20"
     (out / name / "point.yaml").write_text("load: '1'\n")
     sweep(table, "--out", out, "--program", counter)
     assert starts(out)[name] == 2
-    # figures are missing but the run is complete: figures are computed again without another run
+    # if results are missing but the run is complete, they are computed again without another run
     (out / name / "summary.json").unlink()
     sweep(table, "--out", out, "--program", counter)
     assert (
@@ -224,7 +226,7 @@ def test_stopped_half_way(tmp_path, counter, which, code):
     )
     wait_for(lambda: len(list(out.glob("*/summary.json"))) >= 2)
     if which == signal.SIGINT:
-        os.killpg(process.pid, which)  # as a terminal does
+        os.killpg(process.pid, which)  # a terminal signals the process group in the same way
     else:
         process.send_signal(which)
     _, errors = process.communicate(timeout=60)
@@ -242,7 +244,7 @@ def test_stopped_half_way(tmp_path, counter, which, code):
 
 
 def in_work(folder):
-    """Return whether a process still writes below `folder`."""
+    """Return whether a process is still writing below `folder`."""
     for line in Path("/proc").glob("[0-9]*/cmdline"):
         try:
             if f"{folder}/".encode() in line.read_bytes():
@@ -278,7 +280,7 @@ def test_check_runs_nothing(table, tmp_path):
 
 
 def slurm(task, tasks, **more):
-    """Return the environment with the variables that Slurm sets in a task of an array."""
+    """Return the environment with the variables that Slurm sets in a task of a job array."""
     return {
         **ENV,
         "SLURM_ARRAY_TASK_ID": str(task),
@@ -289,7 +291,8 @@ def slurm(task, tasks, **more):
 
 
 def test_job_array(table, tmp_path, counter):
-    """The script that `--slurm` writes is run task by task, as Slurm would do."""
+    """The script written by `--slurm` is run task by task, in the same way as Slurm would run
+    it."""
     out, script = tmp_path / "out", tmp_path / "job.sh"
     done = sweep(table, "--out", out, "--program", counter, "--slurm", script, "--tasks", 2)
     assert done.stdout == f"{script}: 4 points in 2 tasks\n" and not starts(out)
@@ -338,8 +341,8 @@ def test_array_script(table, tmp_path):
 
 @pytest.mark.parametrize("script, tasks", [("run.sh", 1), ("mpi.sh", 2)])
 def test_run_scripts(tmp_path, script, tasks):
-    """A run is stopped as by a time limit, restarted on one rank, and started once more after its
-    end."""
+    """A run is stopped as if by a time limit, restarted on one rank, and started once more after it
+    has finished."""
     out, settings = tmp_path / "run", ["-var", "passes", "30", "-var", "samples", "100"]
     command = ["bash", f"inputs/cluster/{script}", str(out), *settings]
     environment = {
@@ -357,7 +360,7 @@ def test_run_scripts(tmp_path, script, tasks):
         text=True,
     )
     wait_for((out / "restart").exists)
-    process.terminate()  # the signal of --signal=B:TERM@120 reaches the shell only
+    process.terminate()  # the signal of --signal=B:TERM@120 reaches only the shell
     text = process.communicate(timeout=60)[0]
     assert process.returncode == 138, text
     assert "-var resume yes continues from" in text
@@ -390,9 +393,9 @@ def test_scripts_parse(script):
 
 
 def test_partition_deck(tmp_path):
-    """In inputs/in.partition two partitions alternate between four points, and each point has the
-    result of a separate run. Hosts lock points with a file in the current folder, so this test uses
-    its own folder."""
+    """In inputs/in.partition, two partitions alternate between four points, and the result for each
+    point is that of a separate run. Hosts lock points with a file in the current folder, so this
+    test uses its own folder."""
     (tmp_path / "inputs").symlink_to(ROOT / "inputs")
     succeed(
         "inputs/in.partition",
@@ -428,7 +431,7 @@ def test_partition_deck(tmp_path):
 
 
 def test_table_of_the_docs(tmp_path):
-    """docs/sweep.rst shows this command and the name of a folder."""
+    """docs/sweep.rst shows the output of this command and the name of a folder."""
     done = sweep("docs/decks/sweep.csv", "--out", tmp_path)
     assert (done.returncode, done.stdout) == (0, f"4 finished: {tmp_path / 'results.csv'}\n")
     assert (tmp_path / "load=1000_rpm=477.5_lubricant=mineral_passes=1" / "summary.json").exists()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Simulated time, and formulas that contain it, continue through restarts and reset_timestep."""
+"""Simulated time, and formulas that contain it, continue across restarts and reset_timestep."""
 
 import numpy as np
 import pytest
@@ -34,7 +34,8 @@ READ = "atom_style sphere\natom_modify map array sort 0 0.0\nnewton off\n"
 
 
 def end(tmp_path, host, *parts):
-    """Return the time, and the positions of the rings and a ball, at the end of the deck."""
+    """Return the time, the positions of the rings and the position of a ball at the end of the
+    deck."""
     deck = tmp_path / "in.time"
     deck.write_text("".join(parts) + TELL)
     line = next(x for x in succeed(deck, host=host).text.splitlines() if x.startswith("END "))
@@ -47,7 +48,7 @@ def test_time_goes_on(host, tmp_path):
     whole = end(tmp_path, host, begin, RUN)
     assert whole[0] == pytest.approx(1000 * STEP, rel=1e-12)
     assert whole[4] == pytest.approx(50 * (1 + 100 * whole[0]), rel=1e-9)
-    near = {"rtol": 1e-9, "atol": 1e-10}  # with a new step number forces are computed again
+    near = {"rtol": 1e-9, "atol": 1e-10}  # forces are recomputed after a new step number
     for seam in ("reset_timestep 0\n", "reset_timestep 40000\n"):
         np.testing.assert_allclose(end(tmp_path, host, begin, seam, RUN), whole, **near)
     end(tmp_path, host, begin, f"write_restart {tmp_path}/kept\n")
@@ -102,7 +103,7 @@ def test_a_driven_ring_whose_speed_jumps(mover, tmp_path):
     other = text[text.index("group balls") :].replace("50*(1", "60*(1")
     read = f"read_restart {tmp_path}/kept\nneighbor 2.0e-3 bin\nneigh_modify delay 0 every 20\n"
     deck.write_text(READ + read + other)
-    outcome = run(deck)  # another speed after a restart file
+    outcome = run(deck)  # the speed changes after a restart
     assert outcome.code != 0
     assert "fix inner bearing/ring: the spin speed jumps by 10.5" in outcome.error
 

@@ -9,9 +9,9 @@ from raceway.errors import RunError
 from raceway.runs.run import Run
 
 SCENE = {"passes": 1, "samples": 20, "lubricant": "vg46", "load": 2000, "models": "full"}
-# {part: loss in the summary, which is 0 without the part}
+# {part: the loss in the summary that is 0 without the part}
 LOSSES = {"rolling": "rolling", "rolling_hysteresis": "hysteresis", "drag": "drag"}
-# {part: (words removed from the pair style, words there without the part)}
+# {part: (words removed from the pair style, words that remain without the part)}
 WORDS = {
     "gap": ("gap 1", "rolling_hysteresis 0.01"),
     "film_branch": ("film_damping branch", "gap 1"),
@@ -42,7 +42,7 @@ def whole(tmp_path_factory):
 
 
 def test_losses_that_are_gone(tmp_path, whole):
-    """The losses of the omitted parts are 0, and the other losses remain."""
+    """The losses of the omitted parts are 0, and the slip loss changes by less than 10 %."""
     succeed("inputs/in.6208", out=tmp_path, without="+".join(LOSSES), **SCENE)
     losses = Run(tmp_path).summary()["losses_W"]
     for loss in LOSSES.values():
@@ -51,7 +51,7 @@ def test_losses_that_are_gone(tmp_path, whole):
 
 
 def test_no_cage(tmp_path, whole):
-    """The balls move without a cage and carry the load."""
+    """Without a cage, the balls still move and carry the load."""
     succeed("inputs/in.6208", out=tmp_path, cage="no", **SCENE)
     bare = Run(tmp_path)
     found = bare.summary()
@@ -64,7 +64,7 @@ def test_no_cage(tmp_path, whole):
 
 def test_starvation(tmp_path, whole):
     """Two effects reduce the rolling couple: SKF's starvation factor (10000 EN, 2013), and the
-    limited inlet in a groove, which leaves at least half of the couple. Without starvation the
+    limited inlet in a groove, which leaves at least half of the couple. Without starvation, the
     factor is 1 and the inlet is flooded."""
     succeed("inputs/in.6208", out=tmp_path / "flooded", without="starvation", **SCENE)
     succeed("inputs/in.6208", out=tmp_path / "starved", **SCENE)
@@ -96,7 +96,7 @@ def test_mistakes(tmp_path, host):
 
 
 def test_models_of_ones_own(tmp_path):
-    """These models have no parts, so no part can be omitted."""
+    """Models defined by a user have no named parts, so no part can be omitted."""
     inputs = tmp_path / "inputs"
     shutil.copytree(ROOT / "inputs", inputs)
     (inputs / "models").mkdir()

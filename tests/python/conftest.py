@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Fixtures of the Python tests: a bearing, and run folders with known contents."""
+"""Provide fixtures for the Python tests: a bearing, and run folders with known contents."""
 
 import shutil
 
@@ -9,19 +9,19 @@ import synthetic
 
 @pytest.fixture(scope="session")
 def bearing():
-    """Return the 6208 of the paper."""
+    """Return the 6208 bearing of the paper."""
     return synthetic.DEEP_GROOVE
 
 
 @pytest.fixture(scope="session")
 def lubricated():
-    """Return a lubricated run as data."""
+    """Return the data of a lubricated run."""
     return synthetic.run(clearance=1e-5)
 
 
 @pytest.fixture(scope="session")
 def dry():
-    """Return a dry run as data."""
+    """Return the data of a dry run."""
     return synthetic.run(oil=None, passes=1)
 
 
@@ -48,5 +48,6 @@ def dry_folder(tmp_path, written):
 
 @pytest.fixture
 def small_blocks(monkeypatch):
-    """Read records in blocks of a few samples: the results must not depend on where blocks end."""
+    """Read records in blocks of a few samples, because results must not depend on where blocks
+    end."""
     monkeypatch.setattr("raceway.runs.record.BLOCK", 60_000)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run ngspice, the shared library of Debian's libngspice0, in a separate process."""
+"""Run ngspice, as the shared library from Debian's libngspice0, in a separate process."""
 
 import ctypes
 import subprocess
@@ -11,8 +11,8 @@ LIBRARY = "libngspice.so.0"
 
 
 def run(netlist, folder, names):
-    """Return {name: values} for the vectors `names` and "time" after a run of `netlist` (text) in
-    `folder`. Fails if ngspice reports an error."""
+    """Run `netlist` (text) in `folder` and return {name: values} for the vectors `names` and
+    "time". Fail if ngspice reports an error."""
     circuit, found = folder / "net.cir", folder / "vectors.npz"
     circuit.write_text(netlist)
     done = subprocess.run(

@@ -25,7 +25,7 @@ MECHANICAL = (
 LUBRICATED = MECHANICAL + "h_min h_c lambda regime capacitance".split()
 BALL_COLUMNS = "id type x y z vx vy vz omegax omegay omegaz".split()
 RING_COLUMNS = "step time x y z vx vy vz spin fx fy fz mx my mz".split()
-LOSS = (1e-6, 2e-6)  # W of friction and of damping per N of load, arbitrary values
+LOSS = (1e-6, 2e-6)  # W per N of load: friction loss and damping loss (arbitrary values)
 OIL = {
     "viscosity_Pa_s": 0.04,
     "pressure_viscosity_per_Pa": 22e-9,
@@ -44,13 +44,13 @@ def run(
     samples_per_pass=24,
     bearing=DEEP_GROOVE,
 ):
-    """Return a run as plain data: `settings`, `contacts` and `balls` (one frame per sample), and
-    `rings` (one row per sample)."""
+    """Return a run as plain data: `settings`, `contacts` and `balls` with one frame per sample, and
+    `rings` with one row per sample."""
     spin = rpm * np.pi / 30
     cage = spin * kinematics.frequencies(bearing).cage
     sample_s = 2 * np.pi / bearing.balls / cage / samples_per_pass
     z, inner_ring, outer_ring = bearing.balls, 2 * bearing.balls + 1, 2 * bearing.balls + 2
-    contacts, balls, rings = [], [], []  # mz is the shaft torque that supplies the losses
+    contacts, balls, rings = [], [], []  # mz is the shaft torque that supplies the power losses
     for sample in range(passes * samples_per_pass + 1):  # both ends of the window
         state = static.equilibrium(
             bearing,
@@ -164,12 +164,12 @@ def _atoms(bearing, state, cage, spin, inner_ring, outer_ring):
 
 
 def changed(data, **settings):
-    """Return `data` with some settings replaced."""
+    """Return `data` in which some settings are replaced."""
     return {**data, "settings": {**data["settings"], **settings}}
 
 
 def spoil(folder, pattern, replacement):
-    """Replace a line of run.yaml."""
+    """Replace a line in run.yaml."""
     path = folder / "run.yaml"
     text, count = re.subn(pattern, replacement, path.read_text(), count=1, flags=re.MULTILINE)
     assert count == 1
@@ -178,7 +178,7 @@ def spoil(folder, pattern, replacement):
 
 # ---- the record --------------------------------------------------------------------------------
 
-NUMBERS = (  # settings that are attributes of the file and entries of run.yaml
+NUMBERS = (  # settings that appear as attributes of the file and as entries in run.yaml
     "load_N rpm passes samples_per_pass load_azimuth_rad balls ball_diameter_m inner_radius_m"
     " outer_radius_m inner_groove_m outer_groove_m clearance_m ball_young_Pa ball_poisson"
     " viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m temperature_C"
@@ -187,13 +187,13 @@ NUMBERS = (  # settings that are attributes of the file and entries of run.yaml
 WORDS = "bearing lubricant integrator models host".split()
 END = "step_s evaluations processor_s simulated_s wall_s".split()
 TABLES = core.table("columns")
-MASS = 8.2e-3  # kg of a ball
+MASS = 8.2e-3  # kg, mass of a ball
 
 
 def write(folder, data, end=True):
     """Write `data`, as returned by `run`, to `folder`: record.nc in the layout of fix
-    bearing/record, and run.yaml. Each row of `rings` is a sample. Contacts and balls start again
-    after their last frame. Without `end` the run is marked as still active."""
+    bearing/record, and run.yaml. Each row of `rings` is a sample. Contacts and balls are repeated
+    from the start after their last frame. If `end` is false, the run is marked as still active."""
     folder.mkdir(parents=True, exist_ok=True)
     settings = data["settings"]
     words = {"title": "ball bearing run", **{name: settings[name] for name in WORDS}, "axis": "z"}
@@ -207,7 +207,7 @@ def write(folder, data, end=True):
     with netCDF4.Dataset(folder / "record.nc", "w", format="NETCDF3_64BIT_OFFSET") as file:
         file.setncatts(words | numbers)
         samples = _fill(file, data, end)
-    # all samples at once: netCDF would write each variable of each sample separately
+    # write all samples at once: netCDF would write each variable of each sample separately
     with open(folder / "record.nc", "r+b") as file:
         file.seek(4)
         file.write(len(samples).to_bytes(4, "big"))
@@ -217,8 +217,8 @@ def write(folder, data, end=True):
 
 
 def _fill(file, data, end):
-    """Define all variables, write those without a time dimension and the first sample, and return
-    all samples in the order of the file."""
+    """Define all variables, write the first sample and the variables without a time dimension, and
+    return all samples in the order in which the file stores them."""
     settings, count = data["settings"], len(data["rings"])
     file.set_auto_maskandscale(False)
     file.set_fill_off()
@@ -231,7 +231,8 @@ def _fill(file, data, end):
     for name, size in {**sizes, "letters": 5}.items():
         file.createDimension(name, size)
 
-    # values are written after the last definition, because a definition moves all existing values
+    # values are written after the last definition, because each definition moves all existing
+    # values
     pending = []
 
     def put(name, dimensions, values, column=None, kind="f8"):
@@ -302,7 +303,7 @@ _ATOM = {
 
 
 def _kind(settings, caged):
-    """Return {name in the file: value} for the data of the bearing."""
+    """Return {name in the file: value} for the properties of the bearing."""
     of = {column["name"]: np.nan for column in TABLES["kind"]}
     known = {name.rsplit("_", 1)[0]: value for name, value in settings.items() if name in NUMBERS}
     of |= {name: value for name, value in known.items() if name in of}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Quantities around the ring (regimes, pressure, permittivity, losses) are compared with sums over
-the rows of the run."""
+"""Quantities as functions of the position around the ring (regimes, pressure, permittivity, losses)
+are compared with sums over the rows of the run."""
 
 import numpy as np
 import pytest
@@ -16,14 +16,14 @@ BINS = 12
 
 @pytest.fixture
 def run(folder, small_blocks):
-    """Return a run that is read in blocks of a few samples: the results must not depend on where
-    blocks end."""
+    """Return a run that is read in blocks of a few samples, because results must not depend on
+    where blocks end."""
     return raceway.open(folder)
 
 
 def rows_of(data, side, part):
-    """Yield the rows of the contacts whose azimuth from the load line (-90 degrees) lies in the
-    given part of the ring."""
+    """Yield the rows of the contacts whose azimuth, relative to the load line at -90 degrees, lies
+    in the given part of the ring."""
     for row in (row for frame in data["contacts"] for row in frame):
         psi = np.mod(row[COLUMN["azimuth"]] + np.pi / 2 + np.pi, 2 * np.pi) - np.pi
         if row[COLUMN["raceway"]] == side and part == int((psi + np.pi) / (2 * np.pi) * BINS):
@@ -123,7 +123,7 @@ def test_losses(run, lubricated):
 
 
 def test_torque_of_a_ring_that_turns_the_other_way(tmp_path, lubricated):
-    """In the mirror image the spin and the moment change sign, but the resisting torque and the
+    """In the mirror image, the spin and the moment change sign, but the resisting torque and the
     power do not."""
     mirrored = [[*ring[:8], -ring[8], *ring[9:14], -ring[14]] for ring in lubricated["rings"]]
     one = losses.losses(raceway.open(synthetic.write(tmp_path / "a", lubricated)))

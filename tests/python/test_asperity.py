@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The load fraction of asperities is compared with published numbers and with integrals over a
-normal distribution."""
+"""The load fraction carried by asperities is compared with published values and with integrals over
+a normal distribution."""
 
 import numpy as np
 import pytest

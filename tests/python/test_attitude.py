@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The rotation of a ball on both raceways: its angular momentum is compared with the moments of its
-contacts, computed with vectors, and the limits of a light and a heavy ball are tested."""
+"""The rotation of a ball that touches both raceways: the rate of change of its angular momentum is
+compared with the moments of its contacts, computed with vectors, and the limits of a light and a
+heavy ball are tested."""
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ RING, STEEL = 1047.2, 7800.0
 
 
 def drawn(balls=40):
-    """Return contacts (2, Z) of balls that range from firmly held to grossly sliding."""
+    """Return contacts (2, Z) of balls that range from firmly held to sliding grossly."""
     draw = np.random.default_rng(3)
     angle = draw.uniform((0.3, 0.1), (0.9, 0.6), (balls, 2)).T
     load = 10 ** draw.uniform(0.7, 3.3, balls) * np.array([[1.0], [1.2]])
@@ -34,8 +35,8 @@ def found(density=STEEL, **contacts):
 @pytest.mark.parametrize("ring", [RING, -RING])
 def test_moments_change_the_angular_momentum(ring):
     """In axes (radial, along the path, axial) that turn with the ball, dL/dt = Omega x L equals the
-    sum of all moments about the ball's centre. A virtual rotation that rolls on both raceways
-    eliminates the forces along the rolling direction, because they do no work."""
+    sum of all moments about the ball's centre. For a virtual rotation that rolls on both raceways,
+    the forces along the rolling direction do no work and therefore drop out."""
     contacts = drawn()
     motion = attitude.balanced(BODY, ring=ring, density=STEEL, **contacts)
     none, turn = attitude.rolling(BODY, contacts["angle"], ring)
@@ -57,7 +58,7 @@ def test_moments_change_the_angular_momentum(ring):
         normals.append(normal)
     change = inertia * np.cross([0, 0, 1.0], np.array([radial, about, zero]).T).T * motion.orbit
     assert moments[1] == pytest.approx(change[1], rel=1e-5)
-    # the virtual rotation that rolls on both raceways
+    # a virtual rotation about this vector rolls on both raceways
     spins = turn[1:]
     rotation = np.array([np.ones(radial.shape), zero, zero])
     # its axial component follows from the spin at the outer raceway: turn = rotation . normal
@@ -79,7 +80,7 @@ def test_friction_across_follows_the_law_of_slip():
 
 
 def test_light_balls_only_spin():
-    """Without inertia the spin moments are in balance, and no contact slides across its groove."""
+    """Without inertia, the spin moments are in balance and no contact slides across its groove."""
     contacts = drawn()
     motion = found(density=1e-3, **contacts)
     turn = attitude.rolling(BODY, contacts["angle"], RING)[1][1:]
@@ -90,9 +91,10 @@ def test_light_balls_only_spin():
 
 
 def test_heavy_balls_turn_about_the_axis_of_the_bearing():
-    """A gyroscopic moment that friction cannot balance turns the ball until the moment vanishes.
-    The sliding speed then falls as 1/J. At low sliding speed the friction force is proportional to
-    it, so the radial component of the rotation falls as 1/J^2."""
+    """If friction cannot balance the gyroscopic moment, this moment turns the ball until it
+    vanishes. The sliding speed then decreases as 1/J. At low sliding speeds the friction force is
+    proportional to the sliding speed, so the radial component of the rotation decreases as
+    1/J^2."""
     contacts = drawn()
     none, turn = attitude.rolling(BODY, contacts["angle"], RING)
     radial = [

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The motion of a ball on several grooves is compared with closed-form solutions, and the minimum
-power with linear programming."""
+of the power loss with linear programming."""
 
 import numpy as np
 import pytest
@@ -16,9 +16,9 @@ R, PITCH = FOUR.ball_radius, FOUR.pitch_radius
 
 
 def test_contacts_alike_roll_and_spin():
-    """With four equal contacts the ball rotates about an axis parallel to that of the bearing and
-    rolls at all contacts. At each contact it spins at the relative speed of ball and ring times the
-    sine of the contact angle."""
+    """With four equal contacts, the ball rotates about an axis parallel to that of the bearing and
+    rolls at all contacts. At each contact it spins at the relative speed of ball and ring
+    multiplied by the sine of the contact angle."""
     lines, goal, _ = ball_motion.rates(FOUR, SIDES, ANGLES, RING)
     motion = ball_motion.least(lines, goal, np.repeat([1.0, 1e-4], 4), R)
     gamma = R * np.cos(ANGLE) / PITCH
@@ -31,7 +31,7 @@ def test_contacts_alike_roll_and_spin():
 
 
 def test_least_power_of_linear_programming():
-    """For random loads and angles the minimum of w |A m - g| is the solution of a linear
+    """For random loads and angles, the minimum of w |A m - g| is the solution of a linear
     program."""
     draw = np.random.default_rng(3)
     for _ in range(20):
@@ -49,20 +49,21 @@ def test_least_power_of_linear_programming():
 
 
 def test_light_contacts_are_drawn_over_by_the_heavy_ones():
-    """Under a thrust the ball rolls on one inner and one outer groove. Apart from its spin, it
-    rotates relative to the cage about an axis perpendicular to the line through both contacts. On
-    the other two grooves its surface therefore moves cos(2 alpha) times as fast, and the
-    entrainment speed of the film is the mean of this speed and the ring's speed."""
+    """Under a thrust, the ball rolls on one inner and one outer groove. In addition to its spin, it
+    rotates relative to the cage about an axis perpendicular to the line through both contacts. At
+    the other two grooves, the surface of the ball therefore moves cos(2 alpha) times as fast, and
+    the entrainment speed of the film is the mean of this speed and the speed of the ring."""
     state = static.equilibrium(FOUR, axial_load=2000.0, clearance=5e-6)
     entrained, rolling = ball_motion.speeds(FOUR, RING, state)
     heavy, alpha = [1, 2], state.inner.angle[1, 0]
     own = RING * PITCH * (1 - (R * np.cos(alpha) / PITCH) ** 2) / 2
     assert entrained[heavy] == pytest.approx(np.full((2, 9), own), rel=1e-9)
     assert rolling[heavy] == pytest.approx(entrained[heavy], rel=1e-9)
-    # for the light outer contact, whose angle is measured from the line of the heavy contacts
+    # for the lightly loaded outer contact, whose angle is measured from the line of the heavy
+    # contacts
     other = -state.outer.angle[1, 0]
     drawn = own * (1 + np.cos(alpha + other)) / 2
-    # the ball spins on one of the raceways, at the ring's speed times the sine
+    # the ball spins on one of the raceways at the ring's speed multiplied by the sine
     spun = RING * np.sin(alpha) * R * np.sin(alpha + other) / 2
     assert np.all(np.abs(entrained[3] - drawn) < spun)
     assert np.all(rolling[3] < 0.6 * entrained[3])
@@ -71,8 +72,8 @@ def test_light_contacts_are_drawn_over_by_the_heavy_ones():
 @pytest.mark.parametrize("law", friction_torque.SPIN_LAWS)
 def test_four_points_lose_little_more_than_their_spin(law):
     """Under preload alone there are four equal contacts, which spin as in the first test. The power
-    lost to combined slip and spin is less than the sum of both treated separately, but by less than
-    a fifth."""
+    dissipated by combined slip and spin is less than the sum of the powers for slip and spin
+    treated separately, but the difference is less than a fifth."""
     state = static.equilibrium(FOUR, clearance=-20e-6)
     path = catalogue.find("lubricants", "vg46")
     oil, fluid = inputs.oil(path), inputs.fluid(path)

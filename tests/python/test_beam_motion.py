@@ -8,14 +8,14 @@ from raceway import beam, beam_motion, shaft, shaft_motion
 from raceway.shaft_file import read
 from raceway.theory.beam import Disc, Section, Steel
 
-STEEL = Steel(211e9, 211e9 / (2 * 81.2e9) - 1, 7810.0)  # as in ROSS
+STEEL = Steel(211e9, 211e9 / (2 * 81.2e9) - 1, 7810.0)  # values used in ROSS
 EXACT = np.array([241.635, 265.284, 267.722, 1059.740, 1078.910, 2538.41])  # Hz
-SPRINGS = (2e8, 3e8, 1e7, 0.0, 0.0)  # N/m and N m/rad, at both ends
+SPRINGS = (2e8, 3e8, 1e7, 0.0, 0.0)  # N/m and N m/rad, springs at both ends
 
 
 @pytest.fixture(scope="module")
 def rotor():
-    """Return a shaft of eight elements, each 50 mm long and 40 mm in diameter, with a disc 0.2 m in
+    """Return a shaft of eight elements, each 50 mm long and 40 mm in diameter, with a disc of 0.2 m
     diameter in the middle."""
     z, pieces = beam.divided([Section(0.4, 0.04)], np.linspace(0.0, 0.4, 9))
     outer, inner, width = 0.2, 0.04, 0.02
@@ -26,8 +26,8 @@ def rotor():
 
 
 def on_springs(count, nodes):
-    """Return the stiffness matrix (count, count) of springs at the coordinates 5 k to 5 k + 4 of
-    `nodes` k."""
+    """Return the stiffness matrix (count, count) of springs that act on the coordinates 5 k to 5 k
+    + 4 of each node k in `nodes`."""
     whole = np.zeros((count, count))
     for node in nodes:
         at = 5 * node + np.arange(5)
@@ -65,7 +65,7 @@ def test_reduced_keeps_the_rigid_body(rotor):
     z, whole = rotor
     few = beam_motion.reduced(whole, [0, 8], 6)
     exact, found = beam_motion.rigid(z, whole), np.zeros(16)
-    found[[0, 5]] = 1.0  # both ends move along x: the whole mass
+    found[[0, 5]] = 1.0  # both ends move along x, so the result is the total mass
     assert few.shapes @ found == pytest.approx(np.tile([1, 0, 0, 0, 0], 9), abs=1e-9)
     assert found @ few.mass @ found == pytest.approx(exact.mass, rel=1e-9)
     assert np.abs(few.stiffness @ found).max() < 1e-9 * few.stiffness.max()
@@ -84,8 +84,8 @@ def test_static_deflection_is_exact(rotor):
 
 
 def test_cantilever():
-    """The frequencies of a thin clamped beam are 1.8751^2 sqrt(EI/(rho A L^4)) and the next two of
-    the series."""
+    """The natural frequencies of a thin clamped beam are 1.8751^2 sqrt(EI/(rho A L^4)) and the next
+    two of this series."""
     z, pieces = beam.divided([Section(1.0, 0.01)], np.linspace(0, 1, 21))
     whole = beam_motion.matrices(z, pieces)
     springs = np.zeros_like(whole.stiffness)
@@ -96,7 +96,7 @@ def test_cantilever():
 
 
 def test_free_spinning_disc():
-    """A free rigid body nutates at I_a/I_t times its spin speed."""
+    """A free rigid body nutates at its spin speed multiplied by I_a/I_t."""
     z, pieces = beam.divided([Section(0.1, 0.02)], [])
     whole = beam_motion.matrices(z, pieces, [Disc(0.0, 5.0, 0.3, 0.2)])
     body = beam_motion.rigid(z, whole)
@@ -108,7 +108,7 @@ def test_free_spinning_disc():
 
 
 def test_of_a_file(tmp_path):
-    """Discs are read from the file. The shaft is so stiff that it moves as a rigid body."""
+    """The discs are read from the file. The shaft is so stiff that it moves as a rigid body."""
     file = tmp_path / "rotor"
     file.write_text(
         "rpm: 3000\nsteel: {young: 1.0e+12}\nsections: [{length: 0.2, diameter: 0.1}]\n"

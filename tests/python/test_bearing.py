@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The geometry of a bearing agrees with its curvature sums, and impossible bearings are
+"""The geometry of a bearing agrees with its curvature sums, and impossible geometries are
 rejected."""
 
 import dataclasses

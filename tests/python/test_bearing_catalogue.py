@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearings of the catalogue: their balls follow from the ratings, their columns are consistent,
-and each bearing carries a load."""
+"""Bearings in the catalogue: their balls follow from the load ratings, their columns are
+consistent, and each bearing carries a load."""
 
 import csv
 import math
@@ -21,10 +21,10 @@ DEEP, ANGULAR, FOUR_POINT = (
     [row for row in TABLE if row["kind"] == kind]
     for kind in ("deep groove", "angular contact", "four-point contact")
 )
-# Ratio of the C that the maker states to the C of the balls by ISO 281. With a ratio of 1, JTEKT's
-# three contact angles of one size give the same balls. With the balls measured by CWRU the ratio of
-# SKF's 6205 is 1.06. With a ratio of 1, the balls of the QJ bearings have the diameters that GMN
-# states for 7207, 7208, 7209 and 7210.
+# Ratio of the value of C stated by the maker to the value of C that ISO 281 gives for the balls. A
+# ratio of 1 gives the same balls for the three contact angles that JTEKT offers in one size. For
+# SKF's 6205, with the balls measured by CWRU, the ratio is 1.06. With a ratio of 1, the balls of
+# the QJ bearings have the diameters that GMN states for 7207, 7208, 7209 and 7210.
 DYNAMIC_FACTOR = {"SKF": 1.05, "SKF QJ": 1.0, "JTEKT": 1.0}
 
 
@@ -34,8 +34,8 @@ def numbers(row, *names):
 
 @pytest.mark.parametrize("row", TABLE, ids=lambda row: row["name"])
 def test_balls_follow_from_the_ratings(row):
-    """Estimated balls agree with `load_rating.balls`. If the maker states the diameter, the number
-    of balls follows from C0."""
+    """Estimated balls agree with `load_rating.balls`. If the maker states the ball diameter, the
+    number of balls follows from C0."""
     rated = numbers(row, "basic_dynamic_load", "basic_static_load")
     bore, outside, ball, pitch = numbers(
         row, "bore_diameter", "outside_diameter", "ball_diameter", "pitch_diameter"
@@ -58,16 +58,16 @@ def test_balls_follow_from_the_ratings(row):
 
 
 def test_names_stand_once():
-    """A file next to the table takes precedence over a row of the table, and no row duplicates a
-    file."""
+    """A file next to the table takes precedence over a row of the table, so no row may have the
+    name of a file."""
     files = {path.name for path in BEARINGS.iterdir()}
     assert not files & {row["name"] for row in TABLE}
     assert len(NAMES) == len(TABLE) + len(files) - 1 and len(TABLE) == 116
 
 
 def test_every_size_is_there():
-    """Series 60, 62 and 63, and 70 and 72 with three contact angles, contain all bores from 10 to
-    50 mm. The bore in the file or table agrees with the designation."""
+    """Series 60, 62 and 63, and series 70 and 72 with three contact angles, contain all bores from
+    10 to 50 mm. The bore in the file or table agrees with the designation."""
     bores = {"00": 10, "01": 12, "02": 15, "03": 17} | {f"{n:02}": 5 * n for n in range(4, 11)}
     for code, bore in bores.items():
         for series in ("60", "62", "63", "70", "72"):
@@ -78,9 +78,10 @@ def test_every_size_is_there():
 
 
 def test_columns_of_a_table_belong_together():
-    """These relations reveal a misplaced column: shoulders lie on both sides of the pitch diameter,
-    the load centre matches the nominal angle (two bearings of series 72 in JTEKT's table are 0.45
-    mm off), heavier bearings have higher ratings, and the catalogue's f_0 matches ISO 76."""
+    """These relations reveal a misplaced column: the shoulders lie on both sides of the pitch
+    diameter, the load centre corresponds to the nominal angle (two bearings of series 72 in JTEKT's
+    table are 0.45 mm off), heavier bearings have higher ratings, and the f_0 in the catalogue
+    agrees with ISO 76."""
     for row in DEEP:
         bore, outside, low, high = numbers(
             row,
@@ -128,15 +129,15 @@ def test_columns_of_a_table_belong_together():
             pitch = listing.entry(BEARINGS / row["name"]).pitch_diameter_m
             angle = math.radians(float(row["contact_angle"] or 0))
             found = load_rating.static_factor(data.ball_diameter, pitch, angle)
-            # SKF prints two digits, JTEKT three
+            # SKF prints f_0 with two digits, JTEKT with three
             assert found == pytest.approx(float(row["f0"]), abs=0.5 if row in DEEP else 0.25)
 
 
 @pytest.mark.parametrize("name", RATED)
 def test_ratings_of_the_balls(name):
-    """C by ISO 281 is within 10 % of the stated value, and C0 by ISO 76 within 6 %. The 6208 of
-    Farah et al. and the 6306 of Jablonka et al. have larger balls than the catalogue ratings
-    imply."""
+    """C according to ISO 281 is within 10 % of the stated value, and C0 according to ISO 76 within
+    6 %. The 6208 of Farah et al. and the 6306 of Jablonka et al. have larger balls than the
+    catalogue ratings imply."""
     one = listing.entry(BEARINGS / name)
     balls = (one.balls, one.ball_diameter_m, one.pitch_diameter_m)
     angle, rows = math.radians(one.contact_angle_deg), 2 if name.startswith("QJ") else 1
@@ -148,9 +149,9 @@ def test_ratings_of_the_balls(name):
 
 
 def test_contact_angles_of_a_size_have_the_same_balls():
-    """The rule uses the ratings at one contact angle only, but JTEKT states ratings for three. For
-    22 sizes all three give the same balls, so as far as ratings can show, these are the maker's
-    balls."""
+    """The rule uses the ratings at a single contact angle, but JTEKT states ratings for three. In
+    22 sizes, all three angles give the same balls. As far as ratings can show, the maker therefore
+    uses these balls."""
     for size in {row["name"][:4] for row in ANGULAR}:
         found = {
             (one.balls, one.ball_diameter_m)
@@ -161,9 +162,9 @@ def test_contact_angles_of_a_size_have_the_same_balls():
 
 
 def test_another_maker_has_the_same_number_of_balls():
-    """JTEKT (catalogue pages 20 to 25, in jtekt_deep_groove.csv) rates by ISO 281, so the rule
-    needs no factor: C agrees within 1.2 %. With four exceptions, each size has as many balls as
-    SKF's bearing."""
+    """JTEKT (catalogue pages 20 to 25, in jtekt_deep_groove.csv) rates its bearings by ISO 281, so
+    the rule needs no factor: C agrees within 1.2 %. With four exceptions, each size has as many
+    balls as SKF's bearing."""
     text = Path(__file__).with_name("jtekt_deep_groove.csv").read_text()
     other = {}
     for row in csv.DictReader(text.splitlines()):
@@ -177,7 +178,7 @@ def test_another_maker_has_the_same_number_of_balls():
     assert other == {"6009": 13, "6010": 14, "6209": 9, "6305": 8}
 
 
-# mm; None if the figure is missing in the text layer of the catalogue
+# mm; None if the number is missing in the text layer of the catalogue
 GMN = {
     "6201": (5.953, 22.0),
     "6202": (5.953, 25.3),
@@ -196,7 +197,8 @@ GMN = {
 @pytest.mark.parametrize("name", GMN)
 def test_balls_that_a_maker_states(name):
     """GMN, High precision ball bearings (4000 0813 EN), states ball and pitch diameters for
-    bearings of these sizes. Makers need not use the same balls, but for these sizes they do."""
+    bearings of these sizes. Different makers need not use the same balls, but they do so for these
+    sizes."""
     one = listing.entry(BEARINGS / name)
     ball, pitch = GMN[name]
     assert 1e3 * one.ball_diameter_m == pytest.approx(ball, rel=0.01)
@@ -206,15 +208,15 @@ def test_balls_that_a_maker_states(name):
 
 @pytest.mark.parametrize("size", [7, 8, 9, 10])
 def test_balls_of_four_points_are_those_of_angular_contact_bearings(size):
-    """SKF's ratings of the QJ 2 series, interpreted as ratings of two rows, give the diameters that
-    GMN states for the 72C series."""
+    """If SKF's ratings of the QJ 2 series are interpreted as ratings of two rows, they give the
+    ball diameters that GMN states for the 72C series."""
     one = listing.entry(BEARINGS / f"QJ2{size:02}")
     assert 1e3 * one.ball_diameter_m == pytest.approx(GMN[f"72{size:02}C"][0], abs=0.001)
 
 
 def test_6305_of_another_program():
-    """The reference for ISO/TS 16281 has 7 balls of 11.5 mm on a pitch diameter of 43.5 mm (see
-    test_published_bearings)."""
+    """The reference for ISO/TS 16281 has 7 balls of 11.5 mm diameter on a pitch diameter of 43.5 mm
+    (see test_published_bearings)."""
     one = listing.entry(BEARINGS / "6305")
     found = (one.balls, 1e3 * one.ball_diameter_m, 1e3 * one.pitch_diameter_m)
     assert found == pytest.approx((7, 11.5, 43.5), rel=2e-3)
@@ -222,8 +224,8 @@ def test_6305_of_another_program():
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_bearing_carries_a_load(name):
-    """Under a radial load of 0.1 C0, and an equal axial load if the balls have a contact angle, the
-    balls carry the load at less than the pressure that defines C0."""
+    """Each bearing is loaded with a radial load of 0.1 C0 and, if the balls have a contact angle,
+    an equal axial load. The pressure on the balls stays below the pressure that defines C0."""
     path = BEARINGS / name
     data, rated = inputs.bearing(path), inputs.ratings(path)
     inputs.shoulders(path), inputs.boundary(path)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The commands that `make` plans: `make run` builds LIGGGHTS alone, and host-dependent sources
-share compilation units."""
+"""The commands that `make` plans: `make run` builds only LIGGGHTS, and host-dependent sources share
+compilation units."""
 
 import re
 import subprocess
@@ -20,12 +20,12 @@ def plan(*words):
 
 @pytest.fixture(scope="module")
 def everything():
-    """Return the commands of `make build` in an empty tree."""
+    """Return the commands that `make build` would run in an empty tree."""
     return plan("-B", "build")
 
 
 def compiled(commands):
-    """Return {object: source} for the calls of the C++ compiler."""
+    """Return {object: source} for all calls to the C++ compiler."""
     return {
         made: source
         for source, made in re.findall(r" -c (\S+\.cpp) -o (\S+\.o)$", commands, re.MULTILINE)
@@ -39,8 +39,8 @@ def test_make_run_builds_liggghts_alone():
 
 
 def test_every_source_is_compiled_once_for_a_host(everything):
-    """A source without host headers is compiled once for all hosts. Every other source is compiled
-    once for each of the three hosts, alone or in a unit with other sources."""
+    """A source that includes no host headers is compiled once for all hosts. Every other source is
+    compiled once for each of the three hosts, either alone or in a unit with other sources."""
     made = compiled(everything)
     rooms = ("core/*", "contacts", "deck", "ranks", "styles")
     sources = {
@@ -51,7 +51,7 @@ def test_every_source_is_compiled_once_for_a_host(everything):
     }
     alone = [source for source in made.values() if source in sources]
     units = {source for source in made.values() if source.startswith("build/units/")}
-    units.remove("build/units/interface.cpp")  # of the library for Python
+    units.remove("build/units/interface.cpp")  # belongs to the library for Python
     inside = [
         source
         for unit in units
@@ -64,8 +64,8 @@ def test_every_source_is_compiled_once_for_a_host(everything):
 
 
 def test_an_edit_of_one_part_makes_few_objects_again(everything):
-    """An edit of one part causes few objects to be rebuilt, counted over all hosts. The compiler
-    lists the headers of each object during the build."""
+    """An edit to one part causes only a few objects, counted over all hosts, to be rebuilt. The
+    compiler lists the headers of each object during the build."""
     again = [
         made
         for made in compiled(everything)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The losses of a cage ring in statics agree with results of two independent programs, and parts
-can be omitted."""
+"""The power losses of a cage ring in statics agree with the results of two independent programs,
+and individual parts can be omitted."""
 
 import json
 import math
@@ -16,7 +16,7 @@ from raceway.theory.lubricant import Fluid
 from raceway.theory.operating_point import figures
 from raceway.theory.steady_heat import Case
 
-# 6205 at 1797 rpm, 0.04 Pa s; play 0.2 mm, 10 % oil around the cage
+# 6205 at 1797 rpm with 0.04 Pa s; play 0.2 mm, 10 % oil around the cage
 SPEED, ORBIT = 1797 * math.pi / 30, 74.954
 NOTHING = [math.nan] * len(Fluid._fields)
 FLUID = Fluid(*NOTHING)._replace(viscosity=0.04, density=870.0)
@@ -41,12 +41,12 @@ def power(bearing, of, angle=0.0):
 
 @pytest.mark.parametrize("part", POWERS)
 def test_parts(bearing, part):
-    """The reference values have three digits."""
+    """The reference values are given to three digits."""
     assert power(bearing, cage(bearing, part)) == pytest.approx(POWERS[part], rel=5e-3)
 
 
 def test_land_of_the_inner_ring(bearing):
-    """The cage is slower than the inner ring, and 0.250 W are lost at the land."""
+    """The cage rotates more slowly than the inner ring, and 0.250 W are dissipated at the land."""
     assert power(bearing, cage(bearing, "land", inner=True)) == pytest.approx(0.250, rel=5e-3)
 
 
@@ -57,8 +57,8 @@ def test_sum_and_nothing(bearing):
 
 
 def test_shear_at_a_contact_angle(bearing):
-    """The ball's spin has a component about the axis of the pocket, where the resistance is twice
-    as large."""
+    """The ball's spin has a component about the axis of the pocket, and for this component the
+    resistance is twice as large."""
     angle = 0.5
     flat, tilted = (power(bearing, cage(bearing, "shear"), a) for a in (0.0, angle))
     spins = [kinematics.frequencies(bearing, a, SPEED).spin for a in (0.0, angle)]
@@ -77,8 +77,8 @@ def test_torque_of_statics_has_the_cage():
 
 
 def test_cage_of_the_commands(capsys, monkeypatch):
-    """`--cage ring` of static and heat causes larger losses than a chain, and smaller losses with a
-    larger play."""
+    """In the commands static and heat, `--cage ring` causes larger losses than a chain, and the
+    losses decrease as the play increases."""
     monkeypatch.chdir(ROOT)
     words = ["--load", "1000", "--rpm", "9549", "--lubricant", "vg32", "--json"]
 
@@ -97,8 +97,8 @@ def test_cage_of_the_commands(capsys, monkeypatch):
 
 
 def test_runs_of_heat_have_the_same_cage(bearing):
-    """The variables of the deck state the width of each land, a `CageRing` the width of both
-    together."""
+    """The variables of the deck state the width of each land, whereas a `CageRing` has the total
+    width of both lands."""
     case = Case("6205", "vg46", rpm=1800.0, cage=cage(bearing, "land", "churning", inner=True))
     found = heat_runs._variables(case, 40.0, 0.0, {})
     assert {name: found[name] for name in found if name.startswith("cage")} == {

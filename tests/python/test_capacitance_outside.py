@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The gap around a contact as a capacitor: integrals are compared with each other and with
-published values, and closed forms with the integrals."""
+"""The gap around a contact as a capacitor is tested: integrals are compared with each other and
+with published values, and closed-form expressions with the integrals."""
 
 import sys
 from pathlib import Path
@@ -13,10 +13,10 @@ from raceway.theory.groove_width import HalfWidths
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/bench"))
-import capacitance_error  # noqa: E402  not in a package
+import capacitance_error  # noqa: E402  the module is not in a package
 
 SEPARATIONS = np.array([30e-9, 70e-9, 300e-9, 1e-6])
-DEPTH = 2.3e-3  # m, depth of the 6208's grooves in the tables of values
+DEPTH = 2.3e-3  # m, depth of the 6208's grooves assumed in the tables of values
 MIDDLE = capacitance_error.bearing("7.938 mm", 0.515)
 SMALL = capacitance_error.bearing("3.968 mm", 0.53)
 
@@ -34,8 +34,8 @@ def rigid(bearing, raceway, separation, widths, angle=0.0):
     return capacitance_outside.rigid(ellipse, r_x, bearing.ball_radius, groove, separation, widths)
 
 
-# integral I in mm over a parabola up to ± width, for each of SEPARATIONS, from an independent
-# program
+# integral I in mm across a parabola from -width to +width, for each entry of SEPARATIONS, computed
+# by an independent program
 @pytest.mark.parametrize(
     ("name", "raceway", "width", "load", "a", "b", "printed"),
     [
@@ -65,7 +65,7 @@ def test_printed_integrals(bearing, name, raceway, width, load, a, b, printed):
     assert form == pytest.approx(printed, rel=0.011)
 
 
-ARC = [  # I in mm at 900 N: the integral and the closed form
+ARC = [  # I in mm at 900 N: integral and closed-form value
     (INNER, 5.850, (3434, 2703, 1825, 1338), (3410.1, 2685.3, 1814.7, 1330.3)),
     (OUTER, 5.614, (4135, 3258, 2205, 1617), (4100.2, 3234.7, 2192.2, 1609.1)),
 ]
@@ -78,7 +78,7 @@ def test_circular_groove(bearing, raceway, width, integral, form):
     widths = groove_width.half_widths(bearing, raceway, DEPTH)
     assert [1e3 * width for width in widths] == pytest.approx([width, width], abs=6e-4)
     found = 1e3 * capacitance_exact.arc(bearing, raceway, 900.0, SEPARATIONS, DEPTH)
-    assert found == pytest.approx(integral, abs=1.0)  # one unit of the last printed digit
+    assert found == pytest.approx(integral, abs=1.0)  # one unit in the last printed digit
     assert 1e3 * closed(bearing, raceway, 900.0, SEPARATIONS, widths) == pytest.approx(
         form, abs=0.06
     )
@@ -100,7 +100,7 @@ def test_rigid_gap(bearing, raceway, printed):
 
 def test_rigid_gap_of_concentric_circles(bearing):
     """If the circles of groove and ball are concentric, the gap is constant across the groove. The
-    closed form has no singularity there and agrees with the integral."""
+    closed-form expression has no singularity in this case and agrees with the integral."""
     one = capacitance_error.bearing("3.968 mm", 0.505)
     gap = one.groove_gap(OUTER)
     widths = groove_width.half_widths(one, OUTER, 0.18 * one.ball_diameter)
@@ -121,8 +121,8 @@ def test_beside_is_universal():
 
 
 def test_gap_is_hertz_s(bearing):
-    """The gap is zero at the edge of the ellipse, tends to the gap between the undeformed bodies
-    far away, and equals the gap of a line contact in between."""
+    """The gap is zero at the edge of the ellipse, approaches the gap between the undeformed bodies
+    far away from it, and equals the gap of a line contact in between."""
     r_x, r_y = bearing.effective_radii(INNER)
     one = capacitance_exact.contact(r_x, r_y, bearing.effective_modulus, 900.0)
     turn = np.linspace(0, np.pi / 2, 7)
@@ -131,7 +131,7 @@ def test_gap_is_hertz_s(bearing):
     far = 200 * one.a
     undeformed = far**2 / (2 * r_x) - one.overlap
     assert capacitance_exact.gap(one, far, 0.0) == pytest.approx(undeformed, rel=1e-6)
-    # a long ellipse with the same b: g = b^2/(2 R_x) (xi sqrt(xi^2 - 1) - arccosh xi)
+    # for a long ellipse with the same b: g = b^2/(2 R_x) (xi sqrt(xi^2 - 1) - arccosh xi)
     long = capacitance_exact.contact(r_x, 4e4 * r_x, bearing.effective_modulus, 1e6)
     xi = 1.7
     line = long.b**2 / (2 * r_x) * (xi * np.sqrt(xi * xi - 1) - np.arccosh(xi))
@@ -141,7 +141,7 @@ def test_gap_is_hertz_s(bearing):
 def test_no_load_is_the_rigid_gap(bearing):
     widths = groove_width.half_widths(bearing, INNER, DEPTH)
     loaded = closed(bearing, INNER, 1e-9, SEPARATIONS, widths)
-    thin = SEPARATIONS / bearing.groove_gap(INNER)  # which only the rigid form takes into account
+    thin = SEPARATIONS / bearing.groove_gap(INNER)  # only the rigid form includes it
     assert loaded == pytest.approx(rigid(bearing, INNER, SEPARATIONS, widths), rel=thin.max())
     exact = capacitance_exact.arc(bearing, INNER, 1e-6, SEPARATIONS, DEPTH)
     still = capacitance_exact.rigid_arc(bearing, INNER, SEPARATIONS, DEPTH)
@@ -157,15 +157,15 @@ def test_it_falls_with_separation_and_grows_with_load(bearing):
 
 @pytest.mark.parametrize("angle", [-0.35, 0.17, 0.35, 0.52])
 def test_at_a_contact_angle(bearing, angle):
-    """The mean over both sides of the groove is within 1.3 % of the integral to both shoulders at
-    angles up to 30 degrees."""
+    """At angles up to 30 degrees, the mean over both sides of the groove is within 1.3 % of the
+    integral up to both shoulders."""
     for raceway in (INNER, OUTER):
         for load in (10.0, 900.0):
             widths = groove_width.half_widths(bearing, raceway, DEPTH, angle)
             form = closed(bearing, raceway, load, SEPARATIONS, widths, angle)
             exact = capacitance_exact.arc(bearing, raceway, load, SEPARATIONS, DEPTH, angle)
             assert form == pytest.approx(exact, rel=0.013)
-            # the part around the ellipse, as in the capacitors
+            # only the part around the ellipse, as for the capacitors
             ellipse = hertz.exact(*bearing.effective_radii(raceway, angle))
             a, _ = hertz.semi_axes(ellipse, bearing.effective_modulus, load)
             widths = groove_width.half_widths(bearing, raceway, DEPTH, angle, semi_axis=a)
@@ -177,8 +177,9 @@ def test_at_a_contact_angle(bearing, angle):
 
 
 def test_a_wide_ellipse_beside_its_shoulder():
-    """Only the groove outside the ellipse counts: under 3 kN the ellipse fills 0.93 of a tight
-    groove. If the whole groove counted, the closed form would be 3 % too large."""
+    """Only the part of the groove outside the ellipse counts: under 3 kN the ellipse fills 0.93 of
+    a tight groove. If the whole groove were counted, the closed-form value would be 3 % too
+    large."""
     load, separation, depth = 3000.0, 2e-6, 0.18 * 7.938e-3
     bearing = capacitance_error.bearing("7.938 mm", 0.505)
     ellipse = hertz.exact(*bearing.effective_radii(INNER))
@@ -224,7 +225,7 @@ def test_depth_of_the_catalogue_s_shoulders(bearing):
 
 
 def test_ellipse_that_fills_the_groove(bearing):
-    """No capacitance remains beyond the ends of an ellipse that fills the groove."""
+    """If an ellipse fills the groove, no capacitance remains beyond its ends."""
     assert capacitance_outside.beyond(0.1, 9.0, np.array([0.0, 0.5, 1.0])) == pytest.approx(
         [0, 0, 0], abs=0.03
     )
@@ -247,8 +248,8 @@ def test_permittivity_of_a_film():
 @pytest.mark.parametrize("row", [("12.6 mm", 0.505, OUTER), ("3.968 mm", 0.54, OUTER),
                                  ("7.938 mm", 0.505, INNER)])  # fmt: skip
 def test_the_closed_form_keeps_its_promise(row):
-    """In the worst rows of tests/bench/capacitance_error.py the errors are below the stated
-    bound."""
+    """Even in the worst rows of tests/bench/capacitance_error.py the error of the closed-form value
+    is below the stated bound."""
     assert capacitance_error.errors(*row).inside < capacitance_error.PROMISE
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The capacitors of a whole bearing: published values, limits, and the transition at the loss of
-contact."""
+"""The capacitors of a whole bearing agree with published values and limits, and their transition at
+the loss of contact is tested."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from raceway.theory.capacitors import Filling
 from raceway.theory.validity import Shoulders
 
 OIL = Oil(viscosity=0.03, pressure_viscosity=18e-9, permittivity=2.2, roughness=1e-7)
-SHOULDERS = Shoulders(2 * 26.3e-3, 2 * 34.3e-3)  # m: grooves 2.3 mm deep
+SHOULDERS = Shoulders(2 * 26.3e-3, 2 * 34.3e-3)  # m; the grooves are 2.3 mm deep
 
 
 def point(bearing, load, rpm, clearance, filling, **options):
@@ -27,7 +27,7 @@ def point(bearing, load, rpm, clearance, filling, **options):
 
 @pytest.fixture(scope="module")
 def heavy(bearing):
-    """Return the capacitors of a 6208 at 3 kN and 1500 rpm for each filling of its gaps."""
+    """Return the capacitors of a 6208 at 3 kN and 1500 rpm for each way to fill its gaps."""
     return {
         kind: point(bearing, 3000, 1500, 0.0, Filling(kind, shoulders=SHOULDERS))
         for kind in ("flooded", "cavitated", "dry")
@@ -51,7 +51,7 @@ def test_heavy_load(heavy, kind, balls, whole):
 
 @pytest.mark.parametrize(("kind", "whole"), [("flooded", 101), ("cavitated", 77)])
 def test_light_load_at_high_speed(bearing, kind, whole):
-    """The plates alone are wrong by a factor of ten. Unloaded balls have a capacitance of 7 to 13
+    """The plates alone are wrong by a factor of ten. The capacitance of an unloaded ball is 7 to 13
     pF in flooded gaps and 5 to 10 pF in cavitated gaps."""
     quiet, found = point(bearing, 400, 6000, 12e-6, Filling(kind, shoulders=SHOULDERS))
     assert quiet == pytest.approx(15.4, abs=0.05)
@@ -77,8 +77,8 @@ def test_fills_are_exact_by_symmetry(heavy):
 
 
 def test_plates_are_the_paper_s(bearing, heavy):
-    """The capacitance of the plates equals that from `lubrication.lubricate` if both raceways are
-    loaded. For h -> 0 the films dominate."""
+    """If both raceways are loaded, the capacitance of the plates equals that computed by
+    `lubrication.lubricate`. For h -> 0 the films dominate."""
     spin = 1500 * np.pi / 30
     state, _ = lubrication.turning(bearing, spin, 3000.0, ball_density=7850.0)
     films = lubrication.lubricate(bearing, state, OIL, spin)
@@ -89,8 +89,8 @@ def test_plates_are_the_paper_s(bearing, heavy):
 
 
 def test_through_loss_of_contact(bearing):
-    """Around the loss of contact the separation is constant and the capacitance continuous. Without
-    the quiet load of the ball the film thickness would grow without bound."""
+    """Around the loss of contact, the separation is constant and the capacitance is continuous.
+    Without the quiet load of the ball, the film thickness would grow without bound."""
     r_x, r_y = bearing.effective_radii(INNER)
     kappa, modulus = hertz.exact(r_x, r_y).kappa, bearing.effective_modulus
     speed = kinematics.entrainment(bearing, 50.0, 0.0)
@@ -108,7 +108,7 @@ def test_through_loss_of_contact(bearing):
     total = capacitors.of_raceway(bearing, INNER, 2.2, load, apart, play=play).total
     steps = np.diff(total) / total[1:]
     lost = 59  # between the last loaded and the first unloaded position
-    # only the plates under an overlap of 1e-12 m remain
+    # only the plates at an overlap of 1e-12 m remain
     assert abs(steps[lost]) < 5e-6 and steps.max() < 1e-4
 
 

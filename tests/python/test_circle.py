@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The distance of balls from the circle of the inner groove is compared with closed-form geometry,
-and its derivatives with finite differences."""
+"""The distance of the balls from the circle of the inner groove is compared with closed-form
+geometry, and its derivatives with finite differences."""
 
 import numpy as np
 import pytest
@@ -14,14 +14,14 @@ PLACE = np.array([21e-6, -34e-6, 90e-6, 4e-3, -5.8e-3])
 
 
 def axis(tilt):
-    """Return the axis e of a ring whose reported tilts are arcsines of components of e."""
+    """Return the axis e of a ring; the ring's reported tilts are arcsines of components of e."""
     x, y = np.sin(tilt[1]), -np.sin(tilt[0])
     return np.array([x, y, np.sqrt(1 - x * x - y * y)])
 
 
 def test_exact_circle_is_the_nearest_of_its_points():
-    """scipy rotates the points of the circle. A fine search and a parabola through three points
-    find the nearest."""
+    """The points of the circle are rotated with scipy. A fine search and a parabola through three
+    points find the nearest point."""
     e = axis(PLACE[3:])
     turn, _ = Rotation.align_vectors([e], [[0, 0, 1]])
     phi = np.linspace(0, 2 * np.pi, 40001)
@@ -63,8 +63,8 @@ def test_both_agree_without_shift_and_tilt():
 
 @pytest.mark.parametrize("reach", [circle.straight, circle.exact])
 def test_derivatives(reach):
-    """Central differences over 0.1 um and 1 urad have a relative error of (step/distance)^2 = 2e-7
-    and a rounding error of 1e-9."""
+    """Central differences with steps of 0.1 um and 1 urad have a relative error of
+    (step/distance)^2 = 2e-7 and a rounding error of 1e-9."""
     now = reach(BALL, PLACE, AZIMUTH, RADIUS)
     for k in range(7):
         step = np.zeros(7)
@@ -84,8 +84,8 @@ def test_derivatives(reach):
 
 
 def test_conjugate_moment():
-    """The conjugate moment is the work of a fixed moment in a small rotation of the axis, M . (e x
-    de), divided by the change of one tilt."""
+    """The conjugate moment is the work of a fixed moment during a small rotation of the axis,
+    M . (e x de), divided by the change of one tilt."""
     moment, tilt = np.array([3.0, -7.0, 0.0]), PLACE[3:]
     for k in range(2):
         step = 1e-6 * np.eye(2)[k]

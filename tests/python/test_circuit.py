@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing in its circuit without breakdown: closed-form solutions, intermediate points and
-leakage."""
+"""The circuit of a bearing without breakdown is compared with closed-form solutions; intermediate
+points and leakage are tested too."""
 
 import numpy as np
 import pytest
@@ -19,14 +19,14 @@ WEAK = Breakdown(30e6)
 
 
 def test_a_thick_film_takes_the_voltage():
-    """With C_i = 2 C_o the inner film takes a third of the voltage."""
+    """If C_i = 2 C_o, a third of the voltage drops across the inner film."""
     data = circuit.run(steady([2 * PICO], [PICO]), Source(Constant(6.0))).data
     np.testing.assert_allclose(data.film_voltage[:, 0, 0], 2.0, rtol=1e-15)
     np.testing.assert_allclose(data.film_voltage[:, 1, 0], 4.0, rtol=1e-15)
 
 
 def test_bearing_voltage_ratio():
-    """The ratio is computed for C_wr 50 pF, C_rf 1 nF, and two bearings of C_b 200 pF."""
+    """The ratio is computed for C_wr = 50 pF, C_rf = 1 nF and two bearings with C_b = 200 pF."""
     outer = Motor(Constant(1.0), 50 * PICO, 1000 * PICO, second_factor=1.0)
     data = circuit.run(steady([100 * PICO] * 4, [100 * PICO] * 4), outer).data
     np.testing.assert_allclose(data.bearing_voltage_ratio, 50 / 1450, rtol=1e-14)
@@ -35,8 +35,8 @@ def test_bearing_voltage_ratio():
 
 
 def test_current_into_a_capacitance_that_changes():
-    """At constant voltage a capacitance C0 (1 + m cos W t) draws a current of amplitude V C0 m
-    W."""
+    """At a constant voltage V, the current into a capacitance C0 (1 + m cos W t) has the amplitude
+    V C0 m W."""
     n, mean, depth, speed = 2001, 100 * PICO, 0.3, 2 * np.pi * 50
     time = np.linspace(0, 0.04, n)
     one = 2 * mean * (1 + depth * np.cos(speed * time))  # two equal films in series
@@ -44,7 +44,7 @@ def test_current_into_a_capacitance_that_changes():
     middle = 0.5 * (time[1:] + time[:-1])
     expected = -5.0 * mean * depth * speed * np.sin(speed * middle)
     largest = 5.0 * mean * depth * speed
-    # the mean over a step is sinc(W dt/2) times the value at its middle
+    # the mean over a step is sinc(W dt/2) times the value in the middle of the step
     assert np.abs(data.data.current[1:] - expected).max() < largest * (speed * 2e-5) ** 2 / 20
     assert float(np.abs(data.data.current).max()) == pytest.approx(largest, rel=1e-5)
 
@@ -96,7 +96,7 @@ def test_a_film_relaxes_with_its_resistivity_times_permittivity():
     given = steady([40 * PICO], [60 * PICO], n=401, time=np.linspace(0, 0.05, 401))
     leaky = films(given.capacitance, given.time, conductance=given.capacitance / tau)
     data = circuit.run(leaky, Floating(10.0)).data
-    z = -given.time[1] / tau  # the method's growth over a step, and the exponential it approximates
+    z = -given.time[1] / tau  # growth per step of the method, an approximation of exp
     growth = (1 + (1 - 2 * STAGE) * z) / (1 - STAGE * z) ** 2
     np.testing.assert_allclose(data.bearing_voltage, 10 * growth ** np.arange(401), rtol=1e-12)
     np.testing.assert_allclose(data.bearing_voltage, 10 * np.exp(-given.time / tau), rtol=5e-6)
@@ -104,8 +104,8 @@ def test_a_film_relaxes_with_its_resistivity_times_permittivity():
 
 
 def exact(given, outer):
-    """Return the voltages of the inner ring (n,) from scipy's integrator with charges as unknowns;
-    C and G are linear between points."""
+    """Return the voltages of the inner ring (n,), computed by scipy's integrator with charges as
+    unknowns; C and G vary linearly between points."""
 
     def voltages(t, charge):
         at = [
@@ -153,7 +153,7 @@ def test_leak_and_resistance_are_of_second_order():
 
 
 def test_a_metal_contact_shorts_its_film_without_ringing():
-    """R C is 1 ps, while the steps are 50 us."""
+    """R C is 1 ps, whereas the time steps are 50 us."""
     given = steady([50 * PICO] * 2, [80 * PICO] * 2, n=11)
     conductance = np.zeros((11, 2, 2))
     conductance[5:, 1, 0] = 10.0
@@ -161,6 +161,6 @@ def test_a_metal_contact_shorts_its_film_without_ringing():
     film = data.film_voltage.to_numpy()
     shorted = np.abs(film[5:, 1, 0])
     assert (shorted < 1e-5).all()
-    assert (np.diff(shorted) <= 1e-17).all()  # down to rounding errors of 10 V
-    # the two films of ball 2 still share its voltage by their capacitances
+    assert (np.diff(shorted) <= 1e-17).all()  # except for rounding errors relative to 10 V
+    # the two films of ball 2 still share its voltage in inverse proportion to their capacitances
     np.testing.assert_allclose(film[:, 1, 1] / film[:, 0, 1], 50 / 80, rtol=1e-12)

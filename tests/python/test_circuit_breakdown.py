@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Breakdown of films in the circuit: redistribution of charges, thresholds and events."""
+"""Tests of the breakdown of films in a circuit: redistribution of charges, thresholds and
+events."""
 
 import dataclasses
 import warnings
@@ -38,14 +39,14 @@ def redistribute(capacitance, outer, ball_charge, ring_charge, broken):
 
 
 def test_a_film_that_fails_by_hand():
-    """At 10 V on two balls, only the inner film of ball 1 fails; its outer film does not."""
+    """At 10 V on two balls, only the inner film of ball 1 fails; its outer film remains intact."""
     thickness = np.array([[100e-9, 400e-9], [500e-9, 400e-9]])
     given = steady([20 * PICO, 60 * PICO], [30 * PICO, 60 * PICO], thickness=thickness)
     result = circuit.run(given, Floating(10.0, 10 * PICO), Breakdown(50e6))
     (event,) = result.events.itertuples()
-    # two balls of 12 and 30 pF, and 10 pF in parallel: 520 pC on the ring
+    # two balls of 12 and 30 pF, and 10 pF in parallel, so the charge on the ring is 520 pC
     assert (event.ball, event.raceway, event.order) == (1, "inner", 1)
-    assert event.film_voltage == pytest.approx(6.0)  # against 5 V
+    assert event.film_voltage == pytest.approx(6.0)  # the breakdown voltage is 5 V
     assert event.bearing_voltage_after == pytest.approx(520 / (30 + 30 + 10))
     assert event.film_energy == pytest.approx(0.5 * 20 * PICO * 36)
     before, after = 0.5 * 52 * PICO * 100, 0.5 * 520**2 / 70 * PICO
@@ -67,7 +68,7 @@ def test_the_second_film_follows_and_discharges_the_bearing():
 
 
 def test_other_balls_keep_their_charge():
-    """A ball that was charged by an earlier discharge stays charged when another ball shorts the
+    """If an earlier discharge charged a ball, the ball stays charged when another ball shorts the
     rings."""
     capacitance = np.array([[20.0, 60.0], [30.0, 60.0]]) * PICO
     limit = np.array([[1.0, 99.0], [2.0, 99.0]])
@@ -99,8 +100,8 @@ def test_other_balls_keep_their_charge():
 
 @pytest.mark.parametrize("seed", range(6))
 def test_charges_redistribute_as_a_network_of_conductors(seed):
-    """The result equals that of a dense system in which the charge through every broken film is an
-    unknown."""
+    """The result equals that of a dense system of equations in which the charge through every
+    broken film is an unknown."""
     rng = np.random.default_rng(seed)
     z = 5
     capacitance, charge = rng.uniform(10, 90, (2, z)) * PICO, rng.normal(0, 100, z) * PICO
@@ -115,7 +116,7 @@ def test_charges_redistribute_as_a_network_of_conductors(seed):
     matrix[:z, z] = matrix[z, :z] = -inner
     matrix[z, z] = inner.sum() + (beside + coupling) / PICO
     for row, (side, k) in enumerate(places, z + 1):
-        matrix[[k, row], [row, k]] = 1  # into the ball; no voltage across the film
+        matrix[[k, row], [row, k]] = 1  # the charge enters the ball; the film has no voltage
         if side == 0:
             matrix[[z, row], [row, z]] = -1
     right = np.zeros(len(matrix))
@@ -125,13 +126,13 @@ def test_charges_redistribute_as_a_network_of_conductors(seed):
 
 
 def test_threshold_is_where_it_fails():
-    """Just below the threshold voltage of the samples no film fails; just above it one film
-    fails."""
+    """Just below the threshold voltage computed from the samples no film fails; just above it one
+    film fails."""
     given = turning()
     least = circuit.run(given, Source(Constant(0.0), 1.0), WEAK).data.threshold_voltage
     share = series(given.capacitance).ball[:, None] / given.capacitance
     np.testing.assert_allclose(least, (30e6 * given.thickness / share).min(axis=(1, 2)), rtol=1e-12)
-    # at the first point the source has not charged anything yet
+    # at the first point the source has not yet delivered any charge
     for factor, failures in ((1 - 1e-9, 0), (1 + 1e-9, 1)):
         outer = Source(Constant(float(least[1:].min()) * factor), 1e-9)
         assert bool(len(circuit.run(given, outer, WEAK).events)) == bool(failures)
@@ -163,7 +164,8 @@ def test_events_have_units_and_places():
 
 
 def test_current_of_a_failure():
-    """If the inner film of one ball fails, its capacitance is in parallel with all others."""
+    """If the inner film of one ball fails, its own capacitance discharges in parallel with that of
+    the outer film and the remaining capacitance in series."""
     inner, outer, rest, arc = 60 * PICO, 40 * PICO, 25 * PICO, 3.0
     given = steady([inner], [outer], thickness=np.array([[[100e-9], [900e-9]]]))
     events = circuit.run(given, Floating(10.0, rest), Breakdown(35e6, "smooth", arc=arc)).events
@@ -173,7 +175,7 @@ def test_current_of_a_failure():
     assert one.film_voltage == pytest.approx(4.0)
     assert one.current == pytest.approx(4.0 / arc)
     assert one.duration == pytest.approx(arc * behind, rel=1e-12)
-    assert np.isnan(one.current_density)  # no ellipse is known
+    assert np.isnan(one.current_density)  # the contact ellipse is unknown
     known = dataclasses.replace(given, hertz_area=np.full(3, 5e-6))
     (density,) = circuit.run(
         known, Floating(10.0, rest), Breakdown(35e6, "smooth", arc=arc)
@@ -186,8 +188,8 @@ def test_current_of_a_failure():
 
 
 def test_steps_too_long_for_the_voltage_have_a_warning():
-    """If the source charges the bearing within a step, films fail at the voltage of the source
-    instead of their breakdown voltage."""
+    """If the source charges the bearing within a single step, films fail at the voltage of the
+    source instead of their breakdown voltage, and there is a warning."""
     given = turning()
     limit = WEAK.limit(given).min()
     slow = Source(Constant(12 * limit), 1e7)

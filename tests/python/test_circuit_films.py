@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Films without contact in a circuit, and the films of a run."""
+"""Tests of films without contact in a circuit, and of the films read from a run."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Free contact angle, endplay and load parameter are compared with their geometry."""
+"""Free contact angle, endplay and load parameter are compared with geometric relations."""
 
 import dataclasses
 
@@ -10,8 +10,8 @@ from raceway import clearance
 
 @pytest.mark.parametrize("groove", [6.804e-3, 6.93e-3, 7.056e-3, 7.182e-3])  # table A.1
 def test_free_angle_and_endplay_close_the_triangle(bearing, groove):
-    """The groove centres, C apart, are closer radially by half the clearance and displaced axially
-    by half the endplay."""
+    """The line between the groove centres has the length C; its radial component is C minus half
+    the clearance, and its axial component is half the endplay."""
     open_groove = dataclasses.replace(bearing, inner_groove=groove, outer_groove=groove)
     c, pd = clearance.groove_distance(open_groove), 60e-6
     assert c / open_groove.ball_diameter == pytest.approx(2 * groove / 12.6e-3 - 1, rel=1e-12)

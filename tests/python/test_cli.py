@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command line: what it prints, where it prints it, and its exit codes."""
+"""Tests of the command line: what it prints, to which stream, and with which exit code."""
 
 import argparse
 import json
@@ -20,7 +20,7 @@ from raceway.runs.tables import RunTables
 
 
 def figures(folder):
-    """Return the results of a run, and those of statics at its operating point."""
+    """Return the results of a run, and the results of statics at its operating point."""
     tables = RunTables(folder)
     found = summary(tables)
     return found | statics(tables, found)
@@ -88,7 +88,8 @@ def test_a_wrong_word_names_the_nearest(arguments, said, capsys):
 
 
 def test_alone_it_prints_the_commands_by_group(capsys):
-    """Each command appears once under one heading, and every name in a group is a command."""
+    """Each command appears exactly once, under one heading, and every name in a group is a
+    command."""
     assert main([]) == 0
     text = capsys.readouterr().out
     assert text == _parser().format_help()
@@ -110,7 +111,7 @@ def subcommands():
 
 @pytest.mark.parametrize("name", subcommands())
 def test_help_teaches(name):
-    """The help of every subcommand contains examples that its parser accepts, and lists its exit
+    """The help of every subcommand contains examples that the parser accepts, and lists the exit
     codes."""
     text = subcommands()[name].format_help()
     examples = [

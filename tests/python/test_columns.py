@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Columns and keywords of the law, as the C++ tables define them."""
+"""Tests of the columns and keywords of the contact law, as defined by the C++ tables."""
 
 import math
 import subprocess
@@ -30,8 +30,8 @@ def test_tables():
 
 
 def test_every_keyword_of_the_law_says_what_it_takes():
-    """A keyword with a number has a meaning, a range and a default; a keyword with a word has its
-    choices."""
+    """A keyword that takes a number has a meaning, a range and a default; a keyword that takes a
+    word has a list of choices."""
     contact = {row["name"] for row in TABLES["contact"]}
     parts = TABLES["law"]
     assert len({part["name"] for part in parts}) == len(parts) >= 9
@@ -55,7 +55,7 @@ with ThreadPoolExecutor(8) as pool:
 
 
 def test_threads_read_a_table_at_once():
-    """The library writes the text of a table only once. `raceway.simulate` used to fail when two
-    threads wrote it."""
+    """The library generates the text of a table only once. `raceway.simulate` used to fail when two
+    threads generated it at the same time."""
     done = subprocess.run([sys.executable, "-c", AT_ONCE], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run is compared with its own signal, written to a file at a lower rate or at another speed."""
+"""A run is compared with its own signal, written to a file at a lower rate or for another speed."""
 
 import json
 
@@ -16,7 +16,7 @@ SHAFT, SAMPLES = 477.5 / 60, 12000  # Hz
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory, lubricated, bearing):
-    """Return a run with a ring whose resonance is excited at BPFO."""
+    """Return a run with a ring that has a resonance excited at BPFO."""
     settings = dict(lubricated["settings"], sample_s=1e-4)
     passes = SAMPLES // settings["samples_per_pass"]
     time = settings["sample_s"] * np.arange(1, SAMPLES + 1)
@@ -38,7 +38,7 @@ def run(tmp_path_factory, lubricated, bearing):
 
 
 def write(tmp_path, run, share=0.5):
-    """Write the signal of the run at a lower rate; return the file and the rate."""
+    """Write the signal of the run at a lower rate, and return the file and its rate."""
     rate = share / run.settings["sample_s"]
     values = sensor.decimated(spectrum.signal_of(run, "shift"), run.settings["sample_s"], rate)
     np.savez(tmp_path / "own.npz", shift=values)
@@ -46,7 +46,7 @@ def write(tmp_path, run, share=0.5):
 
 
 def test_a_run_beside_itself(tmp_path, run):
-    """Lines, amplitudes and levels of the run and of its file agree."""
+    """Lines, amplitudes and levels of the run agree with those of its file."""
     path, rate = write(tmp_path, run)
     rpm = run.motion.shaft * 30 / np.pi
     same = recording.Recording(path, run.geometry, rpm=rpm, rate=rate)
@@ -61,7 +61,7 @@ def test_a_run_beside_itself(tmp_path, run):
 
 
 def test_another_speed_has_the_same_orders(tmp_path, run):
-    """The recording is treated as if it had been made at twice the speed and rate."""
+    """The recording is treated as if it had been made at twice the speed and twice the rate."""
     path, rate = write(tmp_path, run)
     rpm = 2 * run.motion.shaft * 30 / np.pi
     fast = recording.Recording(path, run.geometry, rpm=rpm, rate=2 * rate)

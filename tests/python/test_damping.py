@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Damping is compared with the values of docs/theory, Normal damping."""
+"""Damping is compared with the values in docs/theory, Normal damping."""
 
 import pytest
 from raceway import damping
 
 
 @pytest.mark.parametrize("h, expected", [(500e-9, 0.8e3), (200e-9, 3.1e3), (100e-9, 8.7e3)])
-def test_squeeze_film(h, expected):  # printed there with two digits
+def test_squeeze_film(h, expected):  # the page prints two digits
     assert damping.film(0.040, 2.059e-3, 6.3e-3, h) == pytest.approx(expected, abs=0.05e3)
 
 

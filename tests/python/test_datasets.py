@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""raceway.open returns every number of the record under its labels and with its unit."""
+"""raceway.open returns every number of the record with its labels and its unit."""
 
 import numpy as np
 import pytest
@@ -24,7 +24,7 @@ def test_contacts(folder, lubricated):
             names = [name for name in place if name not in ("ball", "ring", "raceway")]
             assert [float(one[name]) for name in names] == [row[place[name]] for name in names]
             seen[sample, row[2], row[0] - 1] = True
-    assert not seen.all()  # missing entries of a load zone are empty
+    assert not seen.all()  # entries outside the load zone are missing
     for name in data.data_vars:
         empty = data[name].to_numpy()[~seen]
         assert (
@@ -42,7 +42,7 @@ def test_coordinates(folder, lubricated):
     assert run.contacts["raceway"].to_numpy().tolist() == ["inner", "outer"]
     assert run.balls["ball"].to_numpy().tolist() == list(range(1, 10))
     assert run.cage["ball"].to_numpy().tolist() == list(range(10, 19))
-    # the load points to -y: a ball there has the azimuth -90 degrees and is at 0 from the load line
+    # the load points to -y: a ball there has the azimuth -90 degrees, which is 0 from the load line
     turned = np.mod(run.balls["azimuth"] + np.pi / 2 + np.pi, 2 * np.pi) - np.pi
     np.testing.assert_allclose(run.balls["from_load_line"], turned, atol=1e-12)
 
@@ -62,7 +62,7 @@ def test_contact_and_ball_azimuths_agree(folder):
     run = raceway.open(folder)
     contact, ball = xr.broadcast(run.contacts["azimuth"], run.balls["azimuth"])
     live = np.isfinite(contact.to_numpy())
-    # the synthetic balls are on the pitch circle, 35 um from their theoretical position
+    # the synthetic balls are on the pitch circle, 35 um away from their theoretical position
     np.testing.assert_allclose(contact.to_numpy()[live], ball.to_numpy()[live], atol=2e-3)
 
 
@@ -159,8 +159,8 @@ def test_summary(folder):
 
 
 def test_growing_run(tmp_path, lubricated):
-    """All datasets contain the samples that were present at the first read; a later read contains
-    more."""
+    """Every dataset contains the samples that were present when the run was first read; a later
+    read contains more samples."""
     rings = lubricated["rings"]
     folder = synthetic.write(tmp_path / "run", {**lubricated, "rings": rings[:30]}, end=False)
     run = raceway.open(folder)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stribeck's integral is compared with 30-digit quadrature, and with the load parameters of the
-paper."""
+"""Stribeck's integral is compared with 30-digit quadrature, and with the load parameters given in
+the paper."""
 
 import mpmath
 import numpy as np

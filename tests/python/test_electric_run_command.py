@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of `raceway electric DIR`: results for a run, its table, pictures and messages."""
+"""Tests of `raceway electric DIR`: the results for a run, its table, pictures and messages."""
 
 import csv
 import json

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Envelopes of synthetic signals: impacts at a known rate excite a known frequency in noise."""
+"""Tests of envelopes of synthetic signals in which impacts at a known rate excite a known frequency
+in noise."""
 
 import json
 
@@ -17,8 +18,8 @@ TIME = np.arange(2 * int(RATE)) / RATE
 
 
 def blows(hertz, carrier=None, depth=0.0, loud=1.0):
-    """Return a signal (N,) of decaying 7 kHz bursts, `hertz` per second, with amplitudes modulated
-    at `carrier` Hz."""
+    """Return a signal (N,) with `hertz` decaying 7 kHz bursts per second, whose amplitudes are
+    modulated at `carrier` Hz."""
     total = np.zeros(len(TIME))
     for when in np.arange(0.3 / hertz, TIME[-1], 1 / hertz):
         size = loud * (1 + depth * np.cos(2 * np.pi * carrier * when)) if carrier else loud
@@ -32,8 +33,8 @@ def blows(hertz, carrier=None, depth=0.0, loud=1.0):
 
 @pytest.fixture(scope="module")
 def noisy():
-    """Return a signal with impacts at 107.3 Hz, hum of ten times their amplitude and noise of half
-    their amplitude."""
+    """Return a signal with impacts at 107.3 Hz, hum with ten times their amplitude and noise with
+    half their amplitude."""
     noise = np.random.default_rng(3).normal(0, 0.5, len(TIME))
     return blows(107.3) + 10 * np.sin(2 * np.pi * 50 * TIME) + noise
 
@@ -41,12 +42,12 @@ def noisy():
 def test_the_band_is_where_it_rings(noisy):
     low, high, kurtosis = envelope.best_band(noisy, 1 / RATE, narrowest=400)
     assert low < RING < high and high - low >= 400
-    assert kurtosis > 10 * 2 / np.sqrt(len(TIME) * (high - low) / RATE)  # ten times that of noise
+    assert kurtosis > 10 * 2 / np.sqrt(len(TIME) * (high - low) / RATE)  # 10 times that of noise
 
 
 def test_rate_of_the_blows(noisy):
-    """Without noise the rate is accurate to a thousandth of the resolution of 0.5 Hz; noise adds a
-    few hundredths."""
+    """Without noise the rate is accurate to a thousandth of the resolution, which is 0.5 Hz; noise
+    adds a few hundredths."""
     band = envelope.best_band(noisy, 1 / RATE, narrowest=400)
     one = spectrum.spectrum(envelope.of_values(noisy, 1 / RATE, *band[:2]), 1 / RATE)
     found = spectrum.find(one, 107.3)
@@ -56,8 +57,8 @@ def test_rate_of_the_blows(noisy):
 
 
 def test_sidebands_of_what_modulates():
-    """A modulation 1 + d cos causes sidebands whose amplitude is d/2 times that of the line between
-    them."""
+    """A modulation 1 + d cos causes sidebands whose amplitude is d/2 times the amplitude of the
+    line between them."""
     signal = blows(160.0, carrier=25.0, depth=0.6)
     one = spectrum.spectrum(envelope.of_values(signal, 1 / RATE, 5e3, 9e3), 1 / RATE)
     middle, below, above = (spectrum.find(one, hertz) for hertz in (160.0, 135.0, 185.0))
@@ -66,7 +67,7 @@ def test_sidebands_of_what_modulates():
 
 
 def test_noise_is_not_impulsive():
-    """The kurtosis of N noise values scatters by 2/sqrt(N) and never reaches five times this
+    """The kurtosis of N noise values has a scatter of 2/sqrt(N) and never reaches five times this
     value."""
     noise = np.random.default_rng(4).normal(size=len(TIME))
     for band in envelope.bands(noise, 1 / RATE):
@@ -83,8 +84,9 @@ def test_mistakes():
 
 @pytest.fixture(scope="module")
 def struck(tmp_path_factory, lubricated, bearing):
-    """Return a run whose ring vibrates at a third of the sampling rate, excited at the ball pass
-    frequency of the inner raceway, with an amplitude that depends on the shaft angle."""
+    """Return a run whose ring vibrates at a third of the sampling rate. The vibration is excited at
+    the ball pass frequency of the inner raceway, with an amplitude that depends on the shaft
+    angle."""
     settings = dict(lubricated["settings"], passes=60, samples_per_pass=96)
     step, shaft = settings["sample_s"] / 4, 477.5 / 60
     settings["sample_s"] = step

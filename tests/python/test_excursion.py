@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Statics of balls that run ahead of their cage or fall behind it under moments."""
+"""Tests of statics for balls that run ahead of their cage or lag behind it under moments."""
 
 import numpy as np
 import pytest
@@ -14,15 +14,15 @@ SPEED = 157.0
 
 
 def equilibrium(bearing, moment=(0.0, 0.0)):
-    """Return (bearing, its `Equilibrium` under 3 kN of thrust)."""
+    """Return (bearing, its `Equilibrium` under a thrust of 3 kN)."""
     body = inputs.bearing(catalogue.find("bearings", bearing))
     options = dict(moment=moment, held={}, ball_density=7800.0)
     return body, turning(body, SPEED, 0.0, 3000.0, **options)[0]
 
 
 def test_balls_run_ahead_by_the_integral_of_their_speeds():
-    """The excursion follows from the time a ball takes around the bearing, the integral of a spline
-    through the reciprocal speeds of the balls."""
+    """The excursion follows from the time that a ball takes to orbit the bearing, which is the
+    integral of a spline through the reciprocal speeds of the balls."""
     body, state = equilibrium("7208B", (20.0, 0.0))
     found = excursion.excursion(body, state, SPEED)
     gamma = body.ball_radius / body.pitch_radius
@@ -37,7 +37,7 @@ def test_balls_run_ahead_by_the_integral_of_their_speeds():
     mean = 2 * np.pi / quad(time, turns[0], turns[-1])[0]
     points = np.linspace(turns[0], turns[-1], 361)
     ahead = [psi - points[0] - mean * quad(time, points[0], psi)[0] for psi in points]
-    # the integral here leaves out the curvature of the grooves, whose effect is 1 %
+    # this integral neglects the curvature of the grooves, whose effect is 1 %
     assert found.whole == pytest.approx(np.ptp(ahead) * body.pitch_radius, rel=2e-2)
     assert found.ahead > 0 > found.behind
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The output of `raceway export` is read back: VTK by meshio, and extended XYZ by its
-specification."""
+"""Output of `raceway export` is read back: VTK files with meshio, and extended XYZ files according
+to the specification of the format."""
 
 import re
 import xml.etree.ElementTree as ElementTree
@@ -16,7 +16,7 @@ from raceway.theory.bearing import INNER, OUTER
 
 
 def entries(pvd):
-    """Return (time, part, path) for the entries of a .pvd file."""
+    """Return (time, part, path) for each entry of a .pvd file."""
     return [
         (float(one.get("timestep")), int(one.get("part")), pvd.parent / one.get("file"))
         for one in ElementTree.parse(pvd).getroot().iter("DataSet")
@@ -24,8 +24,8 @@ def entries(pvd):
 
 
 def test_groove_lies_on_its_torus(bearing):
-    """Every point is at a distance of the groove radius from the circle of centres, and every quad
-    faces the balls."""
+    """The distance of every point from the circle of groove centres is the groove radius, and every
+    quad faces the balls."""
     for side, clearance in ((INNER, 0.0), (OUTER, 4e-5)):
         points, quads = groove.mesh(bearing, side, clearance)
         radius = np.hypot(points[:, 0], points[:, 1])
@@ -48,7 +48,7 @@ def test_paraview(folder, lubricated, tmp_path):
     mesh = meshio.read(next(path for time, part, path in listed if part == 0 and time == times[2]))
     rows = {row[0]: row for row in lubricated["balls"][6]}
     assert mesh.point_data["id"].tolist() == list(range(1, 19))
-    assert mesh.points.tolist() == [rows[k][2:5] for k in range(1, 19)]  # to the bit
+    assert mesh.points.tolist() == [rows[k][2:5] for k in range(1, 19)]  # bitwise identical
     assert mesh.point_data["velocity"][3].tolist() == rows[4][5:8]
     assert np.unique(mesh.point_data["radius"][:9]) == lubricated["settings"]["ball_diameter_m"] / 2
     contact = {(row[0], row[2]): row for row in lubricated["contacts"][6]}
@@ -76,11 +76,11 @@ def test_inner_raceway_moves_and_turns(folder, lubricated, tmp_path, bearing):
         way = np.arctan2(*(mesh.points[0, [1, 0]] - ring[2:4][::-1])) - np.arctan2(
             *at_rest[0, [1, 0]]
         )
-        # two roundings of 25 mm to single precision
+        # the error is two roundings of 25 mm to single precision
         assert np.angle(np.exp(1j * (way - ring[10] * time))) == pytest.approx(0, abs=1e-4)
         assert mesh.points.astype(float).mean(axis=0)[:2] == pytest.approx(ring[2:4], abs=1e-8)
     still = meshio.read(listed[2][2])
-    # half of the 10 um of clearance; float32
+    # half of the clearance of 10 um; values have type float32
     assert np.hypot(*still.points[4, :2]) == pytest.approx(bearing.outer_radius + 5e-6, abs=4e-9)
 
 
@@ -91,7 +91,8 @@ def test_a_shorter_export_leaves_nothing_of_a_longer(folder, tmp_path):
 
 
 def read_xyz(path):
-    """Return (comment, {column: values}) for every frame, by the specification of extended XYZ."""
+    """Return (comment, {column: values}) for every frame, following the specification of extended
+    XYZ."""
     lines = iter(path.read_text().splitlines())
     for count in lines:
         head = next(lines)
@@ -141,7 +142,7 @@ def test_ovito(folder, lubricated, tmp_path):
 def test_so_many_samples_by_default(folder, monkeypatch):
     monkeypatch.setattr(particles, "FRAMES", 20)
     frames = list(particles.frames(RunTables(folder)))
-    # 17, the largest number below 20 with even spacing
+    # 17 is the largest number below 20 that gives even spacing
     assert [frame.sample for frame in frames] == list(range(0, 49, 3))
     part = list(particles.frames(RunTables(folder, slice(6, 12)), 2))
     assert [frame.sample for frame in part] == [6, 8, 10] and part[0].ring_turned == 0

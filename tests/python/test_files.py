@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files of users: YAML, ROSS matrices, and files written with --out."""
+"""Tests of files supplied by users (YAML, ROSS matrices) and of files written with --out."""
 
 import io
 import os
@@ -40,7 +40,7 @@ BOMB = "a: &a [x, x]\n" + "".join(
     ],
 )
 def test_broken_yaml(tmp_path, text, message):
-    """Every reader rejects broken YAML with a message and a specific type of error."""
+    """Every reader rejects broken YAML with a message and its own type of error."""
     path = tmp_path / "run.yaml"
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
     readers = {
@@ -78,7 +78,7 @@ def test_no_word_is_a_number(tmp_path, old, new):
 
 
 def claims(path, shape, kind="<f8", **others):
-    """Return an .npz file in which the header of M states `shape`, but little data follows."""
+    """Return an .npz file in which the header of M states `shape` although little data follows."""
     head = io.BytesIO()
     np.lib.format.write_array_header_1_0(
         head, {"descr": kind, "fortran_order": False, "shape": shape}
@@ -94,7 +94,7 @@ def claims(path, shape, kind="<f8", **others):
         ((2, 2, 2), "<f8", "must have"),
         ((2, 2), "|V1000000000", "real numbers"),
         ((2, 2), "|O", "real numbers"),
-        ((100, 100), "<f8", "cannot read"),  # too short
+        ((100, 100), "<f8", "cannot read"),  # the data are too short
     ],
 )
 def test_matrices_are_refused_by_their_header(tmp_path, shape, kind, message):

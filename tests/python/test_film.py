@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film thickness is compared with its logarithmic slopes, with Hamrock-Dowson, and with eq 6
-computed by hand."""
+"""Film thickness is compared with its logarithmic slopes, with Hamrock and Dowson's formula, and
+with values of eq 6 computed by hand."""
 
 import numpy as np
 import pytest
@@ -30,7 +30,7 @@ def test_by_hand():
 
 
 @pytest.mark.parametrize("speed", [0.1, 0.725, 3.0])
-def test_central_film_agrees_with_hamrock_dowson(bearing, speed):  # docs/errata: 11-15 %
+def test_central_film_agrees_with_hamrock_dowson(bearing, speed):  # 11-15 %, see docs/errata
     for side in (INNER, OUTER):
         r_x, g = group(bearing, side, speed)
         assert film.h_c(r_x, g) == pytest.approx(film.hamrock_dowson_c(r_x, g), rel=0.16)

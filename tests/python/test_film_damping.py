@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The Maxwell branch of the film: numbers for the 6208, exact steps, and limits."""
+"""The Maxwell branch of the film is compared with values for the 6208, exact steps and limits."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,8 @@ SPEEDS = np.array([48.0, 477.5, 1910.0, 9549.0]) * 0.724764 / 477.5
 
 @pytest.fixture(scope="module")
 def top(bearing):
-    """Return (k, h_c, h_min, delta_H, a, b) for the most loaded inner contact at four speeds."""
+    """Return (k, h_c, h_min, delta_H, a, b) for the most heavily loaded inner contact at four
+    speeds."""
     r_x, r_y = bearing.effective_radii(INNER)
     modulus, ellipse = bearing.effective_modulus, hertz.exact(r_x, r_y)
     elastic = (LOAD / hertz.stiffness(ellipse, modulus)) ** (2 / 3)
@@ -29,7 +30,7 @@ def top(bearing):
 def test_dashpot(top):
     k, h_c, _, elastic, _, b = top
     found = film_damping.dashpot(k, h_c, elastic, b, SPEEDS)
-    # the printed numbers use the rounded product 0.59 of both constants
+    # the printed numbers were computed with the product of both constants rounded to 0.59
     exact = 0.44 * 1.33
     assert found * 0.59 / exact == pytest.approx([659, 331, 219, 135], abs=0.5)
 
@@ -54,7 +55,8 @@ def test_step(top):
     assert one.stiffness == pytest.approx(0.44 * k * h_c / elastic, rel=1e-14)
     assert one.time == pytest.approx(1.33 * b / SPEEDS, rel=1e-14)
     approach = 1e-3
-    # two half steps equal one; a long step gives the dashpot, a short step the spring
+    # two half steps equal one step; for a long step the force is that of the dashpot, for a short
+    # step that of the spring
     half = film_damping.advance(5.0, one, approach, one.time / 2)[0]
     twice = film_damping.advance(half, one, approach, one.time / 2)[0]
     assert twice == pytest.approx(film_damping.advance(5.0, one, approach, one.time)[0], rel=1e-14)

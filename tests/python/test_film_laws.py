@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film factors, the film in all regimes and the film in the gap: numbers, limits and slopes."""
+"""Film factors, the film in all regimes and the film in the gap are compared with published values,
+limits and finite slopes."""
 
 import numpy as np
 import pytest
@@ -69,7 +70,7 @@ def test_flooded_inlet(inner):
 
 def test_rough_capacitance_is_the_mean_of_a_gamma_distribution():
     for ratio in (1.6, 4.24, 13.09):
-        one = stats.gamma(ratio**2, scale=1 / ratio**2)  # mean 1, deviation 1/ratio
+        one = stats.gamma(ratio**2, scale=1 / ratio**2)  # mean 1, standard deviation 1/ratio
         assert one.std() == pytest.approx(1 / ratio, rel=1e-12)
         inverse = one.expect(lambda h: 1 / h)
         assert film_factors.rough_capacitance(ratio) == pytest.approx(inverse, rel=1e-7)
@@ -93,8 +94,8 @@ def test_all_regimes_tend_to_their_asymptotes():
 
 
 def test_all_regimes_near_the_power_law_at_load(inner):
-    """As in section 2 of the theory, the film at the loads of a 6208 is about 1.15 times that of
-    Masjedi and Khonsari."""
+    """As stated in section 2 of the theory, the film at loads typical of a 6208 is about 1.15 times
+    as thick as by the formula of Masjedi and Khonsari."""
     modulus, r_x, r_y, kappa, _ = inner
     for speed in SPEEDS:
         both = (

@@ -8,7 +8,8 @@ from raceway import capacitance, film_factors, film_voltage, impedance, rough_fi
 
 
 def test_division():
-    """Of two films in series, the one with half the capacitance takes two thirds of the voltage."""
+    """Of two films in series, the film with half the capacitance carries two thirds of the
+    voltage."""
     shares = film_voltage.divided(9.0, 2e-10, 1e-10)
     assert shares.inner == pytest.approx(3.0) and shares.outer == pytest.approx(6.0)
     with pytest.raises(ValueError, match="capacitance = 0.0 must be positive"):
@@ -36,7 +37,8 @@ def test_field_and_threshold():
 
 
 def test_open_films():
-    """An open film takes all of the voltage; if both are open, neither takes any."""
+    """If one film is open, the entire voltage drops across it; if both are open, neither carries
+    any voltage."""
     inner, outer = np.array([1e-10, 0.0, 0.0]), np.array([0.0, 1e-10, 0.0])
     assert film_voltage.shares(inner, outer).outer.tolist() == [1, 0, 0]
     found = film_voltage.ring_voltages((3.0, 4.0), inner, outer)
@@ -67,7 +69,7 @@ def test_impedance_and_back():
 
 
 def test_leak_of_one_fill():
-    """The product R C is rho eps_0 eps for any geometry."""
+    """The product R C equals rho eps_0 eps for any geometry."""
     area, gap, around = 1e-6, 2e-7, 2.0
     paths = area / gap + around
     r = impedance.leak(1e10, paths)
@@ -102,7 +104,7 @@ def test_rough_films():
 
 def test_clipped_film():
     found = rough_film.clipped(np.array([0.0, 2.5, 30.0]), 0.05)
-    # with a mean gap of zero half of the film is closed; no part of a thick film is closed
+    # at a mean gap of zero, half of the film is closed; a thick film is not closed anywhere
     assert found.closed == pytest.approx([0.5199, 0.00714, 0.0], abs=6e-5)
     assert found.factor[2] == pytest.approx(rough_film.factor(30.0), rel=1e-4)
     z = (np.arange(400_000) + 0.5) / 400_000 * 12 + 0.05  # gaps in sigmas

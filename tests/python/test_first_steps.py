@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The first lines that a user types: data by name, results that fit on a screen, and a warning
-about millimetres."""
+"""The first lines that a user types: data are given by name, results fit on a screen, and sizes in
+millimetres cause a warning."""
 
 import numpy as np
 import pytest
@@ -10,13 +10,13 @@ from raceway.theory.bearing import Bearing
 
 
 def test_data_by_name(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)  # a folder without inputs
+    monkeypatch.chdir(tmp_path)  # this folder has no inputs
     shipped = inputs.bearing("6206")
     assert shipped.balls == 9 and inputs.bearing("7205B").balls == 12
     assert inputs.oil("vg46") == inputs.oil("vg46", 40)
     assert inputs.fluid("vg46", 80).viscosity < inputs.fluid("vg46").viscosity
     assert inputs.lubricant("vg46").at(40).viscosity == inputs.fluid("vg46", 40).viscosity
-    # a file here takes precedence over a name of the catalogue
+    # a file in the current folder takes precedence over a name in the catalogue
     (tmp_path / "6206").write_text(inputs.text(inputs._named("bearings", "6208")))
     assert inputs.bearing("6206").ball_diameter > shipped.ball_diameter
     for read, name in ((inputs.bearing, "6299"), (inputs.oil, "vg47")):
@@ -25,7 +25,7 @@ def test_data_by_name(tmp_path, monkeypatch):
 
 
 def test_results_are_short():
-    """A result prints one line per field for any number of balls."""
+    """The printed result has one line per field, whatever the number of balls."""
     body = inputs.bearing("6208")
     state = static.equilibrium(body, 2000.0, 500.0)
     films = lubrication.lubricate(body, state, inputs.oil("vg46"), 100.0)

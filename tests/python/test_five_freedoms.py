@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equilibrium under moments and with held degrees of freedom: independently written equations
-solved by scipy, balance in space, derivatives and symmetries. Published values are in
-test_published_bearings.py."""
+"""Equilibrium under moments and with fixed degrees of freedom is compared with independently
+written equations solved by scipy. Balance in space, derivatives and symmetries are tested too.
+Comparisons with published values are in test_published_bearings.py."""
 
 import numpy as np
 import pytest
@@ -53,9 +53,9 @@ def harris(
     phase=0.0,
     orbital_speed=0.0,
 ):
-    """Return (position (5,), Q_i and Q_o (grooves, Z), the angles likewise) from Harris's
-    simultaneous equations (ch. 7 and 9, no gyroscopic moment), solved by scipy, with one term per
-    groove.
+    """Return (position (5,), Q_i and Q_o (grooves, Z), and the corresponding angles). They solve
+    Harris's simultaneous equations (ch. 7 and 9, without gyroscopic moment), with one term per
+    groove; the solver is scipy's.
 
     The unknowns are the position of the ring and each ball's X_1, X_2, the axial and radial
     distances of its centre from the centre of an outer groove in the middle of its row. Lengths are
@@ -70,7 +70,7 @@ def harris(
         bearing.groove_gap(INNER),
         bearing.groove_gap(OUTER),
     )
-    # radial distance of the groove centres
+    # radial distance between the groove centres
     apart = bearing.groove_circle(INNER) - bearing.groove_circle(OUTER, clearance)
     thrown = 7800 * np.pi / 6 * bearing.ball_diameter**3 * bearing.pitch_radius * orbital_speed**2
 
@@ -113,10 +113,10 @@ def harris(
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", LOADS)
 def test_against_harris_equations(bearing, name, kind):
-    """The equations are satisfied at our position. With one groove, scipy's `root` converges to
-    this position from a start 1 um and 0.1 mrad away."""
+    """The equations are satisfied at our position. With one groove per ring, scipy's `root`
+    converges to this position from a starting point 1 um and 0.1 mrad away."""
     bearing, case = KINDS[kind](bearing), LOADS[name]
-    if kind != "one groove":  # balls with play between four grooves have no definite position
+    if kind != "one groove":  # the position of balls with play between four grooves is not unique
         case = case | {"orbital_speed": 900.0}
     state = static.equilibrium(bearing, **case)
     contacts, miss = harris(bearing, **case)
@@ -158,8 +158,8 @@ def test_against_harris_equations(bearing, name, kind):
 @pytest.mark.parametrize("name", LOADS)
 def test_exact_circle_balances_in_space(bearing, name):
     """The contacts are recomputed from the ball centres in the frame of the rotated ring. The
-    overlaps agree, and the forces on balls and ring and the moments across the ring's axis
-    balance."""
+    overlaps agree, the forces on the balls and on the ring balance, and so do the moments on the
+    ring about axes perpendicular to its own."""
     case = LOADS[name]
     state = static.equilibrium(bearing, finite_shift=True, **case)
     u = np.stack([np.cos(state.azimuth), np.sin(state.azimuth), 0 * state.azimuth], 1)
@@ -232,21 +232,22 @@ def test_gradient_and_hessian(bearing, finite_shift, kind):
         40.0,
         finite_shift,
     )
-    place = np.array([25e-6, -8e-6, 110e-6, 40e-6, -50e-6])  # tilts as lengths
+    place = np.array([25e-6, -8e-6, 110e-6, 40e-6, -50e-6])  # tilts are given as lengths
     here = balance.at(place)
     gradient, hessian = here.gradient, here.hessian(balance.metres)
     for k in range(5):
         step = 1e-8 * np.eye(5)[k]
         ends = balance.at(place + step), balance.at(place - step)
         slope, curve = ((one - other) / 2e-8 for one, other in zip(ends[0][:2], ends[1][:2]))
-        # errors: 1e-15 J in an energy of 0.05 J, and (1e-8/2e-5)^2 of the third derivative
+        # errors: 1e-15 J in an energy of 0.05 J, and (1e-8/2e-5)^2 times the third derivative
         assert gradient[k] == pytest.approx(slope, abs=1e-6 * np.abs(gradient).max() + 1e-3)
         assert hessian[:, k] == pytest.approx(curve, rel=1e-5, abs=1e-5 * np.abs(hessian).max())
 
 
 def test_stiffness_is_load_per_displacement(bearing):
     """One additional newton, or newton metre, along each degree of freedom moves the ring by the
-    inverse of `stiffness`, which neglects the change of the contact stiffness with the angle."""
+    inverse of `stiffness`; this matrix neglects the change of the contact stiffness with the
+    angle."""
     base = dict(radial_load=2000.0, axial_load=1000.0, moment=(10.0, -4.0), clearance=10e-6)
     state = static.equilibrium(bearing, **base)
     compliance = np.linalg.inv(state.stiffness)
@@ -272,7 +273,7 @@ def test_turning_and_mirroring(bearing):
     assert other.inner.load == pytest.approx(one.inner.load, rel=1e-7)
     assert other.shift == pytest.approx(turn.apply(one.shift), abs=1e-13)
     assert np.append(other.tilt, 0) == pytest.approx(turn.apply(np.append(one.tilt, 0)), abs=1e-11)
-    # mirrored in the bearing's plane: axial load, moments, tilts and angles change sign
+    # mirrored in the plane of the bearing: axial load, moments, tilts and angles change sign
     below = static.equilibrium(
         bearing, moment=(-10.0, 4.0), phase=0.1, **{**case, "axial_load": -1000.0}
     )
@@ -283,8 +284,8 @@ def test_turning_and_mirroring(bearing):
 
 
 def test_held_tilt_gives_back_its_moment(bearing):
-    """Holding a tilt of 20 arc-minutes requires a moment; applying this moment causes a tilt of 20
-    arc-minutes."""
+    """Holding a tilt of 20 arc-minutes requires a moment, and applying this moment causes a tilt of
+    20 arc-minutes."""
     tilt = np.radians(20 / 60)
     for finite_shift in (False, True):
         held = static.equilibrium(
@@ -298,7 +299,8 @@ def test_held_tilt_gives_back_its_moment(bearing):
         assert held.tilt == pytest.approx([0.2 * tilt, tilt], rel=1e-12)
         e = np.array([np.sin(tilt), -np.sin(0.2 * tilt), 0])
         e[2] = np.sqrt(1 - e @ e)
-        # only the component across the axis does work: a moment in x and y with this component
+        # only the component perpendicular to the axis does work; the applied moment has the same
+        # component
         needed = -held.moment
         needed = (needed - needed[2] / e[2] * e)[:2] if finite_shift else needed[:2]
         free = static.equilibrium(
@@ -309,8 +311,8 @@ def test_held_tilt_gives_back_its_moment(bearing):
 
 
 def test_imposed_displacement(bearing):
-    """If the ring is held in all directions, the loads follow from the displacement by Hertz; the
-    contacts of the ball on the load line are compressed by 30 um."""
+    """If the ring is held in all directions, the loads follow from the displacement by Hertz's
+    formula; the contacts of the ball on the load line are compressed by 30 um."""
     state = static.equilibrium(bearing, held={"x": 30e-6, "y": 0, "z": 0, "rx": 0, "ry": 0})
     assert state.inner.overlap[0] + state.outer.overlap[0] == pytest.approx(30e-6, rel=1e-10)
     assert state.residual == 0
@@ -328,8 +330,8 @@ def test_held_straight_is_the_default_and_needs_a_moment(bearing):
 
 
 def test_pure_rolling_speed(bearing):
-    """`turning` agrees with an equilibrium calculated by hand: the orbital speed is that of the
-    mean angle, and the angles are those at this orbital speed."""
+    """`turning` agrees with an equilibrium calculated by hand: the orbital speed belongs to the
+    mean contact angle, and the angles are in equilibrium at this orbital speed."""
     from raceway.theory.lubrication import orbit, turning
 
     state, speed = turning(bearing, 1000.0, 0.0, 2000.0, clearance=30e-6)
@@ -403,8 +405,8 @@ def test_wrong_hold(bearing, held, said):
     ],
 )
 def test_light_loads(bearing, case):
-    """Under loads of 1 N the last digits of distances correspond to 1e-10 N, so the search ends
-    before the tolerance of the force is reached."""
+    """Under loads of 1 N, the last digits of distances correspond to 1e-10 N, so the search ends
+    before it reaches the tolerance for the force."""
     state = static.equilibrium(bearing, **case)
     assert state.residual < 1e-8
     load = np.array(

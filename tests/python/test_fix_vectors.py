@@ -12,7 +12,7 @@ FIXES = sorted(name for name in TABLES if name.startswith("fix_"))
 
 
 def test_which_fixes_have_a_vector():
-    """A fix that set size_vector to a literal number would be missing from the tables."""
+    """A fix that set size_vector to a literal number would not appear in the tables."""
     sources = (ROOT / "src-package" / "styles").glob("fix_bearing_*.cpp")
     vectors = {s.stem.replace("fix_bearing_", "fix_") for s in sources if sizes(s)}
     assert vectors - {"fix_checkpoint"} == set(FIXES)  # its length depends on the command

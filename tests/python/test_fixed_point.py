@@ -7,7 +7,7 @@ from raceway.core import library
 
 
 def search(g, x, values, reach=1e9, weights=None):
-    """Return (starting points x, results of the library after each value of the map `g`)."""
+    """Return (starting points x, results of the library after each evaluation of the map `g`)."""
     starts, images, said = [], [], []
     weights = np.ones(len(x)) if weights is None else weights
     for _ in range(values):
@@ -29,8 +29,8 @@ def search(g, x, values, reach=1e9, weights=None):
 
 
 def affine(seed=3, slow=(0.9, -0.8, 0.6), n=12):
-    """Return (map with a few slow modes whose other modes converge after one evaluation, its fixed
-    point)."""
+    """Return (map, its fixed point). The map has a few slow modes; all other modes converge after
+    one evaluation."""
     numbers = np.random.default_rng(seed)
     modes = numbers.normal(size=(n, n))
     shares = np.zeros(n)
@@ -41,7 +41,7 @@ def affine(seed=3, slow=(0.9, -0.8, 0.6), n=12):
 
 
 def test_slow_modes_take_a_value_each():
-    """As in GMRES, the search needs one value of the map for all fast modes, one for each slow
+    """As in GMRES, the search needs one evaluation of the map for all fast modes, one for each slow
     mode, and one more."""
     g, point = affine()
     starts, said = search(g, np.zeros(12), 5)
@@ -49,7 +49,7 @@ def test_slow_modes_take_a_value_each():
     marched = np.zeros(12)
     for _ in range(100):
         marched = g(marched)
-    assert np.abs(marched - point).max() > 1e-6  # the map alone
+    assert np.abs(marched - point).max() > 1e-6  # iterating the map alone converges slowly
 
 
 def test_distance_is_the_way_to_the_fixed_point():
@@ -60,7 +60,7 @@ def test_distance_is_the_way_to_the_fixed_point():
 
 
 def test_weights():
-    """Components of x with zero weight are searched as well, but do not affect the other
+    """The search also includes components of x with zero weight, but they do not affect the other
     components."""
     g, point = affine(slow=(0.9,))
     wide = lambda x: np.append(g(x[:12]), 1e6 * np.sin(1e3 * x[12]))  # noqa: E731
@@ -71,7 +71,7 @@ def test_weights():
 
 
 def test_reach():
-    """If the residuals do not change, the search continues along them as far as `reach` allows."""
+    """If the residuals do not change, the search moves along them by up to `reach`."""
     step = np.array([1e-3, -2e-3, 0.0])
     starts, said = search(lambda x: x + step, np.zeros(3), 3, reach=0.5)
     for k in (2, 3):
@@ -81,7 +81,8 @@ def test_reach():
 
 
 def test_nonlinear_map():
-    """With quadratic terms the search converges to rounding, faster than the map alone."""
+    """With quadratic terms, the search converges to rounding error, and faster than the map
+    alone."""
     g = lambda x: np.array([0.9 * x[0] + 0.1 * x[1] ** 2, 0.5 * np.cos(x[0])])  # noqa: E731
     starts, said = search(g, np.array([1.0, 1.0]), 12)
     assert said[-1].residual < 1e-12

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results for four-point contact and double-row bearings are compared with bearings that have one
-groove per ring."""
+"""Results for four-point contact bearings and double-row bearings are compared with results for
+bearings with one groove per ring."""
 
 import json
 from dataclasses import replace
@@ -32,7 +32,7 @@ OIL = inputs.oil(ROOT / "inputs/lubricants/mineral")
 
 def body():
     """Return the bearing with one groove per ring that corresponds to the four-point contact
-    bearing."""
+    bearing under a thrust."""
     return replace(OF_6208.four_point(ANGLE), layout=Layout())
 
 
@@ -47,7 +47,7 @@ def thrust():
 
 
 def figures(**options):
-    # for `thrust`, whose contacts have no film in the gap
+    # the contacts of `thrust` have no film in the gap
     common = {
         "models": "paper",
         "held": {"rx": 0.0, "ry": 0.0},
@@ -58,15 +58,15 @@ def figures(**options):
 
 
 def grooves(found, key):
-    """Return an array (raceway, groove, ball)."""
+    """Return the values of `key` as an array (raceway, groove, ball)."""
     balls = [[one[key] for one in ball["contacts"]] for ball in found["balls"]]
     return np.array(balls).T.reshape(2, 2, -1)
 
 
 @pytest.mark.parametrize("way", [1, -1])
 def test_thrust_is_that_of_an_angular_contact(way):
-    """A thrust loads one groove of each ring, so all results equal those of a bearing with this
-    groove alone."""
+    """A thrust loads only one groove of each ring, so all results equal those of a bearing that has
+    only this groove."""
     found = figures(axial=way * 1000.0, rpm=RPM)
     state, films = thrust()
     load = grooves(found, "q_N")
@@ -97,7 +97,7 @@ def test_radial_load_is_carried_by_four_points():
     azimuth = np.array([ball["azimuth_rad"] for ball in found["balls"]])
     carried = (load[0] * np.cos(angle[0]) * np.cos(azimuth)).sum()
     assert carried == pytest.approx(2000.0, rel=1e-9)
-    ring = electric.sum(1)  # values of the two grooves of a ring are next to each other
+    ring = electric.sum(1)  # the two grooves of a ring are in parallel
     live = ring.min(0) > 0
     ball = np.where(live, ring.prod(0) / np.where(live, ring.sum(0), 1.0), 0.0)
     assert [one["capacitance_F"] for one in found["balls"]] == pytest.approx(ball, rel=1e-9)
@@ -107,7 +107,7 @@ def test_radial_load_is_carried_by_four_points():
 
 @pytest.fixture
 def stated(tmp_path):
-    """Return a bearing whose file describes a four-point contact, with its ratings."""
+    """Return a bearing whose file describes a four-point contact and states its ratings."""
     text = (ROOT / "inputs/bearings/6208").read_text()
     path = tmp_path / "QJ"
     path.write_text(text + "variable four_point index 35\n")
@@ -116,14 +116,14 @@ def stated(tmp_path):
 
 
 def test_life_of_a_bearing_that_its_file_rates(stated):
-    # values of a deep groove ball bearing
+    # these values apply to deep groove ball bearings
     assert "life_reference_Mrev" not in figures(axial=1000.0)
     found = operating_point.figures(
         stated, held={"rx": 0.0, "ry": 0.0}, clearance=PLAY, axial=1000.0, rpm=RPM
     )
     state, _ = thrust()
     rated = inputs.ratings(Path(stated))
-    dynamic = rated.dynamic / 2**0.7  # of one row
+    dynamic = rated.dynamic / 2**0.7  # rating of one row
     want = life.reference(body(), dynamic, state.inner.load, state.outer.load, ANGLE)
     assert found["life_reference_Mrev"] == pytest.approx(want, rel=1e-6)
     # two equally loaded grooves have twice the failure rate
@@ -136,9 +136,9 @@ def test_life_of_a_bearing_that_its_file_rates(stated):
 @pytest.mark.parametrize("name", ["QJ205", "QJ208", "QJ310"])
 @pytest.mark.parametrize("loads, factor", [({"axial": 1.0}, 1.07), ({"load": 1.0}, 1.0)])
 def test_equivalent_load_of_the_maker(name, loads, factor):
-    """SKF (General Catalogue 6000, page 455) states P = F_r, or 1.07 F_a under a thrust. The ball
-    loads give factors that are 4 to 9 % smaller, as for angular contact bearings. If C were the
-    rating of one row, P would be off by a factor of 1.6."""
+    """SKF (General Catalogue 6000, page 455) states P = F_r for a radial load and P = 1.07 F_a for
+    a thrust. The ball loads give factors that are 4 to 9 % smaller, as for angular contact
+    bearings. If C were the rating of one row, P would be wrong by a factor of 1.6."""
     rated = inputs.ratings(ROOT / "inputs/bearings" / name)
     given = {key: 0.02 * rated.static * value for key, value in loads.items()}
     found = operating_point.figures(name, None, ROOT / "inputs", held={"rx": 0, "ry": 0}, **given)
@@ -195,9 +195,9 @@ def test_bad_files(stated):
 
 
 def test_stiffness_of_two_rows_and_four_points():
-    """Rows that are far apart share a radial load and a thrust; tilting loads the rows in opposite
-    directions. Under a thrust a four-point contact acts like one groove per ring, also in a table
-    for rotor programs."""
+    """Rows that are far apart share a radial load and a thrust, while tilting loads the rows in
+    opposite directions. Under a thrust, a four-point contact bearing acts like a bearing with one
+    groove per ring; this also applies to a table for rotor programs."""
     apart, oil = 0.2, {"lubricant": "vg46", "phases": 2}
     rows = DoubleRow(apart, 0.0, "back_to_back")
     (two,) = rotor.points("6208", 1000.0, 1000.0, double_row=rows, clearance=-5e-6, **oil)
@@ -209,7 +209,7 @@ def test_stiffness_of_two_rows_and_four_points():
     held = {"clearance": PLAY, "axial": 1000.0, **oil}
     (four,) = rotor.points("6208", 0.0, RPM, four_point=ANGLE, folder=ROOT / "inputs", **held)
     (single,) = rotor.points(body(), 0.0, RPM, **held)
-    beside = OF_6208.four_point(ANGLE).layout.inner[0][1]  # m, of the loaded groove
+    beside = OF_6208.four_point(ANGLE).layout.inner[0][1]  # m, axial position of the loaded groove
     turn = np.eye(5)
     turn[0, 4], turn[1, 3] = beside, -beside
     for found, want in zip(four.over.mean, single.over.mean):
@@ -217,8 +217,8 @@ def test_stiffness_of_two_rows_and_four_points():
 
 
 def test_two_rows_live_as_the_standard_says():
-    """C of two rows is 2^0.7 times C of one row (ISO 281). Under twice the load each row has the
-    life of a single row, and both together have 2^-0.9 times this life."""
+    """By ISO 281, C of two rows is 2^0.7 times C of one row. Under twice the load, each row has the
+    life of a single row, and the life of both rows together is 2^-0.9 times this life."""
     options = {"held": {"rx": 0.0, "ry": 0.0}, "folder": ROOT / "inputs"}
     one = operating_point.figures("6208", load=1000.0, **options)
     two = operating_point.figures("6208", load=2000.0, double_row=DoubleRow(0.02), **options)
@@ -229,8 +229,8 @@ def test_two_rows_live_as_the_standard_says():
 
 
 def test_four_points_on_a_shaft():
-    """`raceway shaft` accepts files of four-point contact bearings: a short stiff shaft on one such
-    bearing gives the statics of the bearing."""
+    """`raceway shaft` accepts the file of a four-point contact bearing. The results for a short
+    stiff shaft on one such bearing agree with the statics of the bearing."""
     four = inputs.bearing(catalogue.find("bearings", "QJ208"))
     beam = shaft.Shaft([Section(0.02, 0.2)], Steel(young=2.1e14))
     loads = [shaft.Load(0.01, (500.0, 0.0, 1000.0), (2.0, 1.0))]
@@ -241,8 +241,8 @@ def test_four_points_on_a_shaft():
 
 
 def test_heat_command(capsys, monkeypatch):
-    """The losses by statics at the steady temperature equal the cooling power, for both kinds of
-    bearing."""
+    """At the steady temperature, the power losses computed by statics equal the cooling power, for
+    both kinds of bearing."""
     monkeypatch.chdir(ROOT)
     arguments = ["--bearing", "7208", "--double-row", "0.018", "--preload", "5e-6", "--load", "500"]
     cooling = ["--nodes", "1", "1", "1", "--rpm", "1000", "--json"]

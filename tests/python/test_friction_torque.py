@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of the 6208 by statics: the parts are compared with values in the theory, spin
-with its closed form, limits are tested, and statics with the film in the gap."""
+"""Friction torque of the 6208 from statics: its parts are compared with values in the theory, and
+spin with its closed-form solution; limits and statics with the film in the gap are tested too."""
 
 from pathlib import Path
 
@@ -32,7 +32,7 @@ def found(bearing, rpm, load=5000.0, axial=0.0, fluid=FLUID, surfaces=None, **op
 
 @pytest.fixture(scope="module")
 def none_skids():
-    """Let unloaded balls roll, as in the values of the theory."""
+    """Let unloaded balls roll, as assumed for the values in the theory."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(skidding, "rotation", lambda slowing, rate, time: 1.0)
         yield
@@ -40,8 +40,8 @@ def none_skids():
 
 @pytest.fixture(scope="module")
 def table(bearing, none_skids):
-    """Return the torque of each part in N mm at four speeds, with SKF's reduction factors for
-    rolling."""
+    """Return the torque of each part in N mm at four speeds, with SKF's reduction factors applied
+    to rolling."""
     rows = []
     for rpm in SPEEDS:
         factors = makers.skf(BOUNDARY, 5000.0, 0.0, rpm, 46.0)
@@ -55,7 +55,7 @@ def table(bearing, none_skids):
 def test_rolling(table):
     # at 477.5 rpm the four unloaded balls on the outer raceway add 3 %
     assert table["rolling"] == pytest.approx([5.9, 33, 94, 201], rel=0.04)
-    # the figures of eq 32, which the powers match within 0.6 %
+    # the values of eq 32, which the powers reproduce within 0.6 %
     want = np.array([94, 201])
     assert np.all(np.abs(table["rolling"][2:] - want) < 0.5 + 6e-3 * want)
 
@@ -71,16 +71,16 @@ def test_coulomb_slip(bearing, none_skids):
 
 
 def test_mixed_slip(table):
-    """In full film the torque by Eyring's law with its limit is 5 to 20 % below the torque with
-    Coulomb's 0.05. At 48 rpm asperities increase the torque of slip; other laws for the asperity
-    fraction give 75 to 114 N mm there."""
+    """With a full film, the torque by Eyring's law with a limiting stress is 5 to 20 % below the
+    torque with Coulomb's coefficient of 0.05. At 48 rpm, asperities increase the torque due to
+    slip; other laws for the asperity fraction give 75 to 114 N mm there."""
     assert table["slip"][1:] == pytest.approx([56, 55, 58], rel=0.04)
     assert table["slip"][0] == pytest.approx(114, rel=0.04)
 
 
 def test_torque_near_skf_s(bearing):
-    """At 5 kN, 0.04 Pa s and 48 to 9549 rpm our torque agrees with SKF's within 35 %, without
-    fitting."""
+    """At 5 kN, 0.04 Pa s and 48 to 9549 rpm, our torque agrees with SKF's within 35 % without any
+    fitted parameter."""
     for rpm in (191.0, *SPEEDS):
         one = figures("6208", "mineral", ROOT / "inputs", load=5000.0, rpm=rpm, models="full")
         assert one["friction_torque_N_m"] == pytest.approx(one["torque_skf_N_m"], rel=0.35)
@@ -90,9 +90,10 @@ def test_torque_near_skf_s(bearing):
 
 
 def test_spin_shears_the_film():
-    """The power of pure spin equals Eyring's stress times the sliding speed, integrated over the
-    ellipses of a 7205B under 300 N of thrust at 8000 rpm and 70 C, with the spin shared by both
-    raceways. The balls are light: with a gyroscopic moment they would spin and slide more."""
+    """The power dissipated by pure spin equals Eyring's stress times the sliding speed, integrated
+    over the ellipses of a 7205B under a thrust of 300 N at 8000 rpm and 70 C, where both raceways
+    share the spin. The balls are assumed to be light; with a gyroscopic moment they would spin and
+    slide more."""
     path, ring = ROOT / "inputs/bearings/7205B", 8000 * np.pi / 30
     body, fluid = inputs.bearing(path), inputs.fluid(ROOT / "inputs/lubricants/vg46", 70.0)
     oil = inputs.oil(ROOT / "inputs/lubricants/vg46", 70.0)
@@ -142,8 +143,8 @@ def test_reversed_and_hot(bearing):
      (9549.0, -10, -3.0, 73)],
 )  # fmt: skip
 def test_film_in_the_gap(bearing, rpm, shift, top, third):
-    """The table has the changes, in per cent, of the radial displacement and of the loads of the
-    top and the third ball, without centrifugal load."""
+    """The parameters are the changes, in per cent, of the radial displacement and of the loads on
+    the top ball and the third ball, without centrifugal load."""
     dry = equilibrium(bearing, 5000.0)
     wet = equilibrium(bearing, 5000.0, film=FilmInGap(ISOTHERMAL, rpm * np.pi / 30))
     change = [

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cooling, heat balance, clearance and flash temperature: published numbers and closed-form
-solutions."""
+"""Cooling, heat balance, clearance and flash temperature are compared with published values and
+closed-form solutions."""
 
 import numpy as np
 import pytest
@@ -35,8 +35,8 @@ def test_reference_speed():
 
 @pytest.mark.parametrize("name", BOUNDARIES)
 def test_reference_speed_near_the_catalogue_s(name):
-    """Oil reaches the middle of the lowest ball. Without drag, the reference speed is above that of
-    the catalogue."""
+    """The oil reaches the middle of the lowest ball. Without drag, the computed reference speed is
+    higher than that in the catalogue."""
     ball = {"6208": 12.6, "6205": 7.94, "6306": 12.3}[name]
     found = heat.reference_speed(BOUNDARIES[name], ball / 2)
     assert found == pytest.approx(CATALOGUE[name], rel=0.30)
@@ -44,7 +44,7 @@ def test_reference_speed_near_the_catalogue_s(name):
 
 
 def test_balance():
-    # a power that falls linearly: W (T - 20) = 100 - 0.5 T
+    # for a power that decreases linearly: W (T - 20) = 100 - 0.5 T
     found = heat.balance(lambda t: 100 - 0.5 * t, 2.0)
     assert found == pytest.approx((100 + 40) / 2.5, abs=1e-5)
     with pytest.raises(ValueError, match="exceeds the cooling by 0.1 W/K to 20 C"):
@@ -54,9 +54,9 @@ def test_balance():
 def test_three_nodes():
     found = heat.three_nodes(20.0, 10.0, shaft=1.0, housing=2.0, contact=0.7, ambient=25.0)
     assert (found.inner - 25) + 2 * (found.outer - 25) == pytest.approx(30, rel=1e-12)
-    # heat from the balls, plus half of the losses of the outer contacts, leaves through the housing
+    # the heat from the balls and half of the losses of the outer contacts leave through the housing
     assert 0.7 * (found.balls - found.outer) + 5 == pytest.approx(2 * (found.outer - 25))
-    # with perfect contact there is a single temperature, as in the one-node model
+    # with perfect contact there is a single temperature, as in the model with one node
     tight = heat.three_nodes(20.0, 10.0, shaft=1.0, housing=2.0, contact=1e9)
     assert list(tight) == pytest.approx([30.0] * 3, abs=1e-6)
 
@@ -64,13 +64,13 @@ def test_three_nodes():
 def test_clearance_by_temperature(bearing):
     assert 1e6 * heat.clearance_change(bearing, 10.0, 5.0, 0.0) == pytest.approx(-7.3, abs=0.05)
     change = heat.clearance_change(bearing, 10.0, 10.0, 10.0)
-    # equal temperatures: only the clearance itself expands, which is zero here
+    # at equal temperatures only the clearance itself expands, and it is zero here
     assert change == pytest.approx(0, abs=1e-12)
 
 
 def test_flash(bearing):
-    """At 477.5 and 9549 rpm the flash temperature rise is 2 and 8 K, and the middle of the film is
-    0.3 and 41 K hotter."""
+    """At 477.5 and 9549 rpm, the flash temperature rise is 2 and 8 K, and the middle of the film is
+    0.3 and 41 K hotter than its surfaces."""
     r_x, r_y = bearing.effective_radii(INNER)
     modulus, ellipse = bearing.effective_modulus, hertz.exact(r_x, r_y)
     a, b = hertz.semi_axes(ellipse, modulus, 2436.2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway heat` and its functions: balances, limits, messages and exit codes."""
+"""Tests of `raceway heat` and its functions: heat balances, limits, messages and exit codes."""
 
 import json
 import re
@@ -49,7 +49,7 @@ def test_three_nodes_balance_and_tend_to_one():
     one = steady_heat.one_node(scene(), 3.0, 20.0, 0.0)
     tight = steady_heat.three_nodes(scene(), steady_heat.Nodes(1.0, 2.0, 1e6), 20.0, 0.0)
     assert tight["temperature_C"] == pytest.approx(one["temperature_C"], abs=0.05)
-    # equal temperatures: thermal growth does not change a zero clearance
+    # at equal temperatures, thermal expansion does not change a clearance of zero
     assert tight["clearance_warm_m"] == pytest.approx(0, abs=5e-9)
     found = steady_heat.three_nodes(scene(), steady_heat.Nodes(0.5, 2.0, 1.0), 20.0, 20e-6)
     inner, outer = found["temperature_inner_C"], found["temperature_outer_C"]
@@ -64,9 +64,9 @@ def test_three_nodes_balance_and_tend_to_one():
 @pytest.mark.parametrize(("rpm", "ratio"), [(48.0, 2.3), (477.5, 1.95), (1910.0, 1.1),
                                             (9549.0, 0.22)])  # fmt: skip
 def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio, monkeypatch):
-    """The central film thickness with VG 46, at 20 C ambient temperature and cooling by ISO 15312,
-    is stated relative to that with 0.04 Pa s and 22/GPa, both without inlet shear. Inlets are
-    flooded, as in the printed row."""
+    """The ratio compares the central film thickness with VG 46 oil, at an ambient temperature of 20
+    C and with cooling by ISO 15312, with the thickness at 0.04 Pa s and 22/GPa. Neither includes
+    inlet shear. Inlets are flooded, as in the printed row."""
 
     def flooded(body, size, fluid, ring, models, supply):
         starved = laws.skf_starvation(
@@ -86,7 +86,7 @@ def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio, monkeypatch)
         film.h_c(r_x, film.group(eta, xi, modulus, r_x, kappa, speed, 2436.2))
         for eta, xi in ((fluid.viscosity, fluid.pressure_viscosity), (0.04, 22e-9))
     ]
-    # the friction model differs from the model behind the printed row
+    # the friction model differs from the one used for the printed row
     assert thick[0] / thick[1] == pytest.approx(ratio, rel=0.12)
 
 
@@ -134,7 +134,7 @@ def test_messages(capsys, arguments, code, message):
 
 
 def test_an_angular_contact_bearing_is_cooled_as_one_of_its_size():
-    """ISO 15312 needs only the bore, the outside diameter and the width."""
+    """For the cooling, ISO 15312 needs only the bore, the outside diameter and the width."""
     angular, deep = (steady_heat.Case(name, "vg46", rpm=1000.0) for name in ("7208", "6208"))
     assert angular.cooling() == deep.cooling()
     assert angular.report(angular.scene(), angular.steady(angular.scene()))["temperature_C"] > 20

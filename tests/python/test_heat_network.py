@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Conductances and capacities of a bearing, its heat network, and temperatures that advance in
-jumps, compared with quadrature, the matrix exponential and closed-form solutions."""
+"""The conductances and capacities of a bearing, its heat network, and temperatures that advance in
+jumps are compared with quadrature, the matrix exponential and closed-form solutions."""
 
 import numpy as np
 import pytest
@@ -33,15 +33,15 @@ HEAT = np.array([6.0, 12.0, 6.0, 0.5, 3.0])
 
 
 class Whole:
-    """A network as a symmetric matrix over inner ring, balls, outer ring, housing, oil, ambient and
-    inlet. Nodes without a capacity are the limit of a vanishing capacity: their temperatures follow
-    from those of the other nodes."""
+    """A heat network as a symmetric matrix over inner ring, balls, outer ring, housing, oil,
+    ambient and inlet. A node without a capacity is the limit of a vanishing capacity: its
+    temperature follows from those of the other nodes."""
 
     def __init__(self, net):
         self.net, self.capacity = net, np.array([*net["capacity"], 0.0])
         self.fixed = np.array([net["ambient"], net["inlet"]])
         g = np.zeros((7, 7))
-        # with a perfect seat, housing and outer ring are one node
+        # if the seat is perfect, housing and outer ring are one node
         seat, cooled = (net["seat"], 3) if net["seat"] else (1.0, 2)
         oil = [net["convection"] * area for area in net["wetted"]]
         links = {
@@ -60,13 +60,13 @@ class Whole:
         self.heat = HEAT * [1, 1, 1, 1, net["flow"] > 0]
 
     def into(self, heat):
-        """Move the heat of a housing without capacity into the outer ring."""
+        """Add the heat of a housing without capacity to the outer ring."""
         if self.capacity[3]:
             return heat
         return np.array([*heat[:2], heat[2] + heat[3], 0.0, heat[4]])
 
     def all_of(self, slow, heat):
-        """Return the temperatures of the five nodes, from those of the nodes with a capacity."""
+        """Return the temperatures of all five nodes, given those of the nodes with a capacity."""
         heat = self.into(heat)
         at = np.empty(5)
         at[self.slow] = slow
@@ -78,7 +78,7 @@ class Whole:
         return at
 
     def leaving(self, slow, heat):
-        """Return the heat flow in W to the ambient and into the oil."""
+        """Return the heat flow in W into the ambient and into the oil."""
         at, flow = self.all_of(slow, heat), self.net["flow"]
         away = -self.g[:5, 5] @ (at - self.net["ambient"])
         return away + flow * (at[4] - self.net["inlet"])
@@ -88,7 +88,7 @@ class Whole:
         return ((self.into(heat) - self.g[:5] @ at)[self.slow]) / self.capacity[self.slow]
 
     def affine(self):
-        """Return (matrix, vector) of d(slow)/dt."""
+        """Return (matrix, vector) of the linear expression for d(slow)/dt."""
         n = len(self.slow)
         least = self.rate(np.zeros(n), self.heat)
         columns = [self.rate(one, self.heat) - least for one in np.eye(n)]
@@ -98,7 +98,7 @@ class Whole:
 def test_conductance_of_a_contact():
     steel = laws.steel_of_bearings()
     a, b, u = 1.102e-3, 0.1241e-3, 1.203
-    # at each point two half-spaces are in contact for the time 2 b sqrt(1 - z^2)/u
+    # at each point, two half-spaces are in contact for the time 2 b sqrt(1 - z^2)/u
     along = integrate.quad(lambda z: (1 - z * z) ** 0.25, 0, 1, epsabs=1e-13)[0]
     assert along == pytest.approx(0.87402, abs=5e-6)
     property = float(steel.conductivity * steel.density * steel.heat)
@@ -108,9 +108,9 @@ def test_conductance_of_a_contact():
 
 
 def test_convection_of_the_oil():
-    """The boundary layer of a plate, with Blasius's velocity and the heat equation integrated by
-    scipy. For the large Prandtl numbers of oils the exact constant is 0.339, which is 2 % above
-    0.332."""
+    """The reference is the boundary layer of a plate with Blasius's velocity, for which scipy
+    integrates the heat equation. At the large Prandtl numbers of oils, the exact constant is 0.339,
+    which is 2 % above 0.332."""
     k, heat_capacity, density, viscosity, orbit, pitch = 0.15, 1950.0, 860.0, 0.02, 385.0, 0.06
     prandtl = viscosity * heat_capacity / k
     far = 6.0  # eta, where (Pr/2) times the integral of f exceeds 1000
@@ -136,8 +136,8 @@ def test_surfaces_that_oil_wets():
 
 
 def test_capacity_of_a_ring(bearing):
-    """The capacity follows from the volume of thin cylinders: 136 J/K for both rings of the
-    6208."""
+    """The capacity follows from the volume of thin cylinders; for both rings of the 6208 together
+    it is 136 J/K."""
     steel = laws.steel_of_bearings()
     total = 0.0
     for inner, bottom, groove, seat, shoulder in (
@@ -210,14 +210,14 @@ def test_heat_that_grows_evenly(net):
 
 
 def spread(net, loss):
-    """Distribute a loss in W over the nodes, and over the oil if it flows."""
+    """Distribute a loss in W among the nodes and, if oil flows, the oil."""
     oil = 0.1 * loss if net["flow"] else 0.0
     return np.array(heat.into_nodes(0.6 * loss - oil, 0.4 * loss, oil=oil))
 
 
 def jump(net, losses, start, **control):
-    """Return (rows of time in s and temperatures of the nodes in C, last state) for a run with
-    jumps under the losses `losses`(T) in W."""
+    """Return (rows with the time in s and the temperatures of the nodes in C, last state) for a run
+    that advances in jumps, where `losses`(T) is the power loss in W."""
     state = library().records["HeatStateOf"]()
     for k in range(4):
         state.at[k] = state.law[k] = start
@@ -236,7 +236,7 @@ def jump(net, losses, start, **control):
 
 
 def integrated(net, losses, start, times):
-    """Return temperatures without jumps, integrated by scipy."""
+    """Return the temperatures integrated by scipy, without jumps."""
     whole = Whole(net)
 
     def rate(_, t):
@@ -247,15 +247,15 @@ def integrated(net, losses, start, times):
 
 
 def fall(t):
-    """Return a loss in W as in an oil bearing: it first falls with the temperature, then grows
-    because of mixed friction."""
+    """Return a power loss in W that behaves as in an oil-lubricated bearing: it first decreases
+    with the temperature, and then increases because of mixed friction."""
     return 30 * np.exp(-(t - 20) / 40) + 0.08 * t
 
 
 @pytest.mark.parametrize("net", NETS.values(), ids=NETS)
 def test_jumps_against_no_jumping(net):
-    """The error of a cold start is proportional to the square of the largest temperature change
-    allowed in a jump."""
+    """The error of a cold start is proportional to the square of the largest change of temperature
+    that is allowed in a jump."""
     worst = []
     for change in (4.0, 2.0, 1.0):
         rows, state = jump(net, fall, 20.0, change=change, error=1e9, until=3600.0)
@@ -284,7 +284,7 @@ def test_jumps_to_the_steady_state(name):
 
 @pytest.mark.parametrize(("share", "end"), [(0.9, 2), (1.1, 3)])
 def test_run_away(share, end):
-    """The losses grow linearly, at 0.9 and 1.1 times the total conductance."""
+    """The losses increase linearly with temperature, at 0.9 and 1.1 times the total conductance."""
     net = NETS["none"]
     _, hot = heat.steady(net, heat.into_nodes(0.6, 0.4))
     slope = share / (hot[:3].mean() - 20)  # W/K

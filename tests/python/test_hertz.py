@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Elliptical contacts are compared with 40-digit arithmetic, with the sphere, and with the numbers
-for the 6208."""
+"""Elliptical contacts are compared with 40-digit arithmetic, with the contact of a sphere, and with
+the values for the 6208."""
 
 import mpmath
 import numpy as np
@@ -24,14 +24,14 @@ def test_ellipse_against_high_precision(ratio):
             for value in (kappa, mpmath.ellipk(1 - kappa**-2), mpmath.ellipe(1 - kappa**-2))
         ]
     ellipse = hertz.exact(1.0, ratio)
-    # some tens of roundings of 1e-16 each
+    # a few tens of rounding errors of 1e-16 each
     assert ellipse[:3] == pytest.approx(expected, rel=1e-13)
 
 
 @pytest.mark.parametrize("nearly", [0.0, 1e-12, 1e-6])
 def test_circle_is_the_sphere(nearly):
     ellipse = hertz.exact(5e-3, 5e-3 * (1 + nearly))
-    # E' = 2 E*, and both effective radii equal the sphere's R*; the limit is approached linearly
+    # E' = 2 E*, and both effective radii equal R* of the sphere; the limit is approached linearly
     assert hertz.stiffness(ellipse, 2e11) == pytest.approx(
         hertz.sphere_stiffness(1e11, 5e-3), rel=nearly + 1e-13
     )
@@ -52,7 +52,7 @@ def test_arrays_equal_numbers():
 
 def test_numbers_of_the_6208(
     bearing,
-):  # docs/theory, Numbers to reproduce, to the digits printed there
+):  # values as printed in docs/theory, Numbers to reproduce
     modulus = bearing.effective_modulus
     for side, load, k, a, b, p in (
         (INNER, 2436.2, 3.2497e10, 2.059e-3, 0.2197e-3, 2571e6),
@@ -81,7 +81,7 @@ def test_hamrock_brewe_is_near_and_its_misprint_is_not(bearing):
         exact = hertz.stiffness(hertz.exact(*radii), modulus)
         fit = hertz.stiffness(hertz.hamrock_brewe(*radii), modulus)
         printed = hertz.stiffness(hertz.hamrock_brewe(*radii, printed=True), modulus)
-        assert fit == pytest.approx(exact, rel=0.03)  # the stated accuracy of the fit
+        assert fit == pytest.approx(exact, rel=0.03)  # stated accuracy of the fit
         assert 1.25 < printed / exact < 1.40  # docs/errata: 32 % too stiff
 
 

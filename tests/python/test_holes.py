@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files that were once read silently, or caused a traceback, are now rejected or cause a
+"""Files that were once read without complaint, or caused a traceback, are now rejected or cause a
 warning."""
 
 import json
@@ -25,7 +25,8 @@ from test_run import spoil
 
 @pytest.fixture
 def points(tmp_path):
-    """Return a sweep of three points: one finished, one failed, and one to be damaged."""
+    """Return a sweep of three points: one has finished, one has failed, and one is to be
+    damaged."""
     for name, load in (("a", "1"), ("b", "2"), ("c", "3")):
         (tmp_path / name).mkdir()
         (tmp_path / name / "point.yaml").write_text(f"load: '{load}'\n")
@@ -68,13 +69,13 @@ def test_a_failure_without_a_message(points):
 
 @pytest.mark.parametrize("finished", [True, False])
 def test_a_point_that_was_stopped_in_its_measurement(folder, finished):
-    """The point's run.yaml is complete except for its end. Such a point once counted as finished,
-    and then always failed."""
+    """The point's run.yaml is complete except for its end. Such a point used to count as finished,
+    and evaluating it then always failed."""
     (folder / "point.yaml").write_text("load: '5000'\n")
     if not finished:
         spoil(folder, "^step_s: .*\n", "")
     run_point(folder, {"load": "5000"}, ["true", "inputs/in.6208"])
-    assert (folder / "log.txt").exists() != finished  # output of the program that was started
+    assert (folder / "log.txt").exists() != finished  # written by the program if it was started
 
 
 @pytest.fixture
@@ -120,7 +121,8 @@ def test_many_unknown_columns_in_one_message(tmp_path):
 
 
 def test_the_page_of_points_with_other_variables(points):
-    """For a sweep as `raceway needs` writes it, the page has a table of each kind, without nan."""
+    """For a sweep as written by `raceway needs`, the page contains a separate table for each kind
+    of point, and no nan."""
     (points / "d").mkdir()
     (points / "d" / "point.yaml").write_text("models: full\nwithout: gap+drag\n")
     text = page(points).write(points / "page.html").read_text()
@@ -129,7 +131,7 @@ def test_the_page_of_points_with_other_variables(points):
 
 
 def test_a_record_that_lost_a_variable(folder):
-    """Either the films agree, or a message states the difference."""
+    """Either the films agree, or a message states by how much they differ."""
     path = folder / "record.nc"
     variables, content = Record(folder).variables, path.read_bytes()
     names = [n for n, d in variables.items() if "raceway" not in d and not n.startswith("bearing_")]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A command imports only the large packages that it needs."""
+"""A command imports only those large packages that it needs."""
 
 import subprocess
 import sys
@@ -21,7 +21,7 @@ sys.exit(code)
 
 
 def loaded(*arguments):
-    """Return the large packages that `raceway` imports with these arguments."""
+    """Return the large packages that `raceway` imports when it is called with these arguments."""
     done = subprocess.run(
         [sys.executable, "-c", SCRIPT, *map(str, arguments)],
         text=True,
@@ -46,5 +46,5 @@ def test_static():
 
 
 def test_plot(folder, tmp_path):
-    """The test detects the packages that a picture needs."""
+    """A command that draws a picture is detected to import the packages that the picture needs."""
     assert "matplotlib" in loaded("plot", folder, "--out", tmp_path / "picture.png")

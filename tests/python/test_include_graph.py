@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The rooms of src-package and the arrows between them (tests/include_graph.py)."""
+"""Tests of the rooms of src-package and of the includes between them (tests/include_graph.py)."""
 
 import sys
 from pathlib import Path
@@ -8,11 +8,11 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
-import include_graph  # noqa: E402  next to the tests, not in a package
+import include_graph  # noqa: E402  the module is not in a package
 
 
 def tree(folder, files):
-    """Write a package of small files, {name: text}."""
+    """Write a package of small files, given as {name: text}."""
     for name, text in files.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text)

@@ -30,7 +30,7 @@ def test_composite_roughness(tmp_path):
         .replace("ball_roughness     index 0", "ball_roughness index 7.5e-8")
     )
     path.write_text(text)
-    # 100 and 75 nm give 125 nm, as in a 3-4-5 triangle
+    # 100 and 75 nm combine to 125 nm, as in a 3-4-5 triangle
     assert inputs.oil(path) == pytest.approx((0.040, 22e-9, 2.25, 1.25e-7), rel=1e-15)
 
 

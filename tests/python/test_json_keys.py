@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The JSON keys of every command with --json include their units."""
+"""The JSON keys of every command with --json contain their units."""
 
 import argparse
 import json
@@ -9,14 +9,14 @@ import pytest
 import test_compare
 from raceway.cli import _parser, main
 
-twin = test_compare.run  # a run long enough for an envelope
+twin = test_compare.run  # this run is long enough for an envelope
 
 UNITS = "m m2 kg s h rad deg rpm Hz N Pa F V A J W K C ohm Mrev order"
-# entries of these matrices have different units (docs/static)
+# the entries of these matrices have different units (docs/static)
 MATRIX = "^(stiffness|damping|place)(_|$)"
-# a unit at the end, or the last part of a compound unit: _rad_s, _N_m_rad, _kg_m2
+# a unit at the end of the key, or the last part of a compound unit: _rad_s, _N_m_rad, _kg_m2
 NAMED = re.compile(f"_(per_)?({'|'.join(UNITS.split())})$|^rpm(_|$)|{MATRIX}")
-# numbers without a unit: counts, shares, ratios and factors
+# numbers without a unit: counts, fractions, ratios and factors
 PLAIN = set(
     """passes load_parameter lambda lambda_inner lambda_outer permittivity loaded_balls
     loaded_balls_mean real_time_factor
@@ -38,7 +38,7 @@ readings:
 
 @pytest.fixture
 def words(folder, tmp_path, twin):
-    """Return arguments for each command that has --json."""
+    """Return lists of arguments for each command that has --json."""
     (tmp_path / "readings.yaml").write_text(READINGS)
     path, rate = test_compare.write(tmp_path, twin)
     run, file = str(folder), [str(path), "--rpm", "477.5", "--rate", str(rate)]
@@ -60,7 +60,7 @@ def words(folder, tmp_path, twin):
 
 
 def numbers(value, keys=(), beside=()):
-    """Yield (keys that lead to a number or list of numbers, keys next to the last one)."""
+    """Yield (keys that lead to a number or a list of numbers, keys next to the last of them)."""
     if isinstance(value, dict):
         for key, one in value.items():
             yield from numbers(one, (*keys, key), value.keys())
@@ -74,7 +74,7 @@ def numbers(value, keys=(), beside=()):
 
 
 def named(keys, beside):
-    """Return whether the unit is in a key, or in a key next to it."""
+    """Return whether a key, or a key next to it, contains the unit."""
     return (
         any(key in PLAIN for key in keys)
         or "unit" in beside

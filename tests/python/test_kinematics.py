@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bearing frequencies are compared with the values of docs/theory, Numbers to reproduce, and with
+"""Bearing frequencies are compared with the values in docs/theory, Numbers to reproduce, and with
 rolling without slip."""
 
 import numpy as np
@@ -7,7 +7,7 @@ import pytest
 from raceway import kinematics
 
 
-def test_frequencies_of_the_6208(bearing):  # to the digits printed
+def test_frequencies_of_the_6208(bearing):  # to the printed digits
     assert kinematics.frequencies(bearing) == pytest.approx(
         (0.39604, 3.5644, 5.4356, 2.3008), rel=2e-5
     )
@@ -34,7 +34,7 @@ def test_entrainment_from_the_surfaces(bearing):
 def test_orbital_speed():
     azimuth = np.linspace(0, 6, 7)
     x, y = 0.03 * np.cos(azimuth), 0.03 * np.sin(azimuth)
-    radial = 0.4  # must not count
+    radial = 0.4  # must have no effect
     found = kinematics.orbital_speed(x, y, -20 * y + radial * x, 20 * x + radial * y)
     assert found == pytest.approx(np.full(7, 20.0), rel=1e-13)
     with pytest.raises(ValueError, match="axis"):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The glossary of docs/design.rst and the layout in README.md match the tree, and no line has a
-phrase that is always wrong (docs/notes/language)."""
+"""The glossary in docs/design.rst and the layout in README.md match the tree, and no line contains
+a phrase that is always wrong (docs/notes/language)."""
 
 import csv
 import importlib.util
@@ -22,7 +22,8 @@ PHRASES = (
 
 
 def glossary():
-    """Return {term: its keys in outputs} for the glossary, which contains each term once."""
+    """Return the glossary as {term: its keys in outputs}, and check that it lists each term
+    once."""
     text = (ROOT / "docs/design.rst").read_text().split(".. _glossary:")[1]
     block = re.search(r":widths:.*\n\n((?:   .+\n)+)", text)[1]
     lines = re.sub("^   ", "", block, flags=re.M).splitlines(keepends=True)

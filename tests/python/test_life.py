@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rating life is compared with published values and with a second program."""
+"""Rating life is compared with published values and with an independent program."""
 
 import dataclasses
 import json
@@ -20,7 +20,7 @@ C = 32.5e3
     "load, rpm, hours", [(12e3, 2100, 9.677), (11e3, 2250, 11.726), (10e3, 2400, 14.632)]
 )
 def test_basic_life_as_published(load, rpm, hours):
-    """The published life is that of XJTU-SY's bearing LDK UER204, C = 12.82 kN: Wang et al., IEEE
+    """The published life is for the bearing LDK UER204 of XJTU-SY, C = 12.82 kN: Wang et al., IEEE
     Trans. Reliability 69 (2020)."""
     assert float(life.basic(12.82e3, load)) * 1e6 / (60 * rpm) == pytest.approx(hours, abs=6e-4)
 
@@ -30,8 +30,9 @@ def test_basic_life_as_published(load, rpm, hours):
     [((3000, 0), 0.0, 1255.9), ((3000, 0), 10e-6, 1161.8), ((1500, 2500), 20e-6, 859.1)],
 )
 def test_reference_life(loads, clearance, want):
-    """The lives were computed independently of this package, with the contact stiffness at zero
-    angle. They agree within 5e-4 if the ring moves along its axis, otherwise to the last digit."""
+    """The lives were computed independently of this package, with the contact stiffness taken at
+    zero angle. They agree within 5e-4 if the ring moves along its axis, and otherwise to the last
+    digit."""
     rest = static.equilibrium(B6208, *loads, clearance=clearance)
     found = life.reference(B6208, C, rest.inner.load, rest.outer.load)
     assert found == pytest.approx(want, abs=5e-4 * want if loads[1] else 0.06)
@@ -39,9 +40,9 @@ def test_reference_life(loads, clearance, want):
 
 @pytest.mark.parametrize("side", ["inner_groove", "outer_groove"])
 def test_life_falls_where_pressure_rises(side):
-    """Grooves have radii from 0.505 to 0.6 ball diameters, under radial and combined load. A wider
-    groove never gives a longer life, and above 0.53 each step of 4 % shortens the life by at least
-    1 %. The grooves of the catalogue are no wider than ISO 281 assumes."""
+    """The grooves have radii from 0.505 to 0.6 ball diameters, and the load is radial or combined.
+    A wider groove never gives a longer life, and above 0.53 each step of 4 % reduces the life by at
+    least 1 %. The grooves in the catalogue are no wider than ISO 281 assumes."""
     for loads in ((3000.0,), (1500.0, 2500.0)):
         lives = []
         for groove in 12.6e-3 * np.array([0.505, 0.52, 0.53, 0.55, 0.575, 0.6]):
@@ -60,7 +61,8 @@ def test_ratings_of_the_catalogue_are_kept():
 
 def test_reference_life_is_that_of_the_rating_under_its_own_load():
     """If half of the balls carry a radial load at zero clearance, ISO/TS 16281 gives (C/P)^3,
-    because C is defined by this distribution. The constants of the standard satisfy this to 2 %."""
+    because C is defined for this load distribution. The constants of the standard satisfy this
+    within 2 %."""
     rest = static.equilibrium(B6208, 3000.0)
     found = life.reference(B6208, C, rest.inner.load, rest.outer.load)
     assert found == pytest.approx(float(life.basic(C, 3000.0)), rel=0.02)
@@ -78,14 +80,14 @@ def test_reference_life_is_that_of_the_rating_under_its_own_load():
     ],
 )
 def test_factor(kappa, dirt, want):
-    """The factor agrees to half a unit in the last of four digits."""
+    """The factor agrees within half a unit in the last of four digits."""
     assert life.factor(kappa, dirt) == pytest.approx(want, rel=2.7e-4)
 
 
 @pytest.mark.parametrize("kappa", [0.4, 1.0])
 def test_factor_is_continuous(kappa):
-    """The constants have five digits: half a unit in the last digit changes a_ISO by 2e-4 in either
-    direction."""
+    """The constants are given to five digits, and half a unit in the last digit changes a_ISO by up
+    to 2e-4."""
     below, above = (life.factor(kappa * (1 + s), 0.1) for s in (-1e-9, 1e-9))
     assert above == pytest.approx(below, rel=4e-4)
 
@@ -118,8 +120,8 @@ def test_whole_life():
 
 
 def test_duties():
-    """A single duty gives its own life. Lives of 900 for 90 % and 100 for 10 % of the revolutions
-    combine to 500."""
+    """A single duty gives its own life. Lives of 900 during 90 % of the revolutions and 100 during
+    10 % of them combine to 500."""
     assert life.of_duties([123.0], [1.0]) == pytest.approx(123.0)
     assert life.of_duties([900.0, 100.0], [0.9, 0.1]) == pytest.approx(500.0)
     with pytest.raises(ValueError, match="add up to 1"):
@@ -140,7 +142,7 @@ def test_static_safety():
 
 
 def test_command(capsys):
-    """`raceway static` prints lives only for bearings with ratings."""
+    """`raceway static` prints lives only for bearings whose ratings are known."""
     words = "static --bearing {} --load 3000 --rpm 1500 --lubricant vg46 --json".format
     assert cli.main(words("6208").split()) == 0
     found = json.loads(capsys.readouterr().out)
@@ -164,9 +166,9 @@ def rated(capsys, words):
 
 
 def test_a_rating_on_the_command_line(capsys):
-    """--C replaces the value in the file: both lives are proportional to its cube, and a bearing
-    without ratings also has a life. Under a radial load without clearance ISO/TS 16281 agrees with
-    the basic life within 2 %."""
+    """--C replaces the value in the file: both lives are proportional to its cube, and even a
+    bearing without ratings has a life. Under a radial load and without clearance, ISO/TS 16281
+    agrees with the basic life within 2 %."""
     one, two = (rated(capsys, f"--load 3kN --rpm 1500 --C {c}") for c in ("16kN", "32000"))
     for key in ("life_L10_Mrev", "life_reference_Mrev", "life_L10_h"):
         assert two[key] == pytest.approx(8 * one[key], rel=1e-12)
@@ -177,8 +179,9 @@ def test_a_rating_on_the_command_line(capsys):
 
 
 def test_load_spectrum(capsys, tmp_path):
-    """One duty in two parts equals that duty. The equivalent load of several duties is their cubic
-    mean weighted by revolutions, and a steady load of this size gives the same life."""
+    """A duty that is split into two parts gives the same results as the whole duty. The equivalent
+    load of several duties is their cubic mean weighted by revolutions, and a steady load of this
+    size gives the same life."""
     path = tmp_path / "duties.csv"
     common = ["static", "--C", "32.5kN", "--spectrum", str(path)]
 
@@ -212,7 +215,7 @@ SWEPT = "point,status,load,share,equivalent_load_N,life_reference_Mrev,dynamic_r
 
 def test_spectrum_of_a_sweep(capsys, tmp_path):
     """The equivalent load of results.csv is the mean (sum q n P^3/sum q n)^(1/3) of the loads of
-    the points. It does not depend on a rating, and the life is the life under this load."""
+    the points. It does not depend on the rating, and the life is the life under this load."""
     path = tmp_path / "results.csv"
     path.write_text(
         SWEPT + "a,finished,2000,7,1990,1,30e3,1500\nb,finished,5000,3,4990,1,30e3,3000\n"
@@ -266,8 +269,8 @@ def test_a_spectrum_that_is_none(capsys, tmp_path, text, said):
 
 
 def test_equivalent_load_of_a_thrust():
-    """P does not depend on the sign of either load, and increases with both except for the jump at
-    the limit e."""
+    """P does not depend on the sign of either load. It increases with both loads, except for the
+    jump at the limit e."""
     deep = dict(angle=0.0, balls=9, ball_diameter=12.6e-3)
     steep = dict(deep, angle=np.radians(40))
     assert equivalent(2000.0, 0.0, **deep) == 2000 == equivalent(-2000.0, 50.0, **deep)
@@ -302,8 +305,8 @@ def test_ratings_that_are_none(tmp_path, line, says):
 
 
 def test_minimum_load(tmp_path, capsys):
-    """k_r is read from the file. The minimum load grows with the power 2/3 of viscosity and speed;
-    without k_r there is no minimum load."""
+    """k_r is read from the file. The minimum load increases as viscosity and speed to the power
+    2/3; without k_r there is no minimum load."""
     once = life.minimum_load(0.025, 46.0, 1500.0, 0.06)
     assert life.minimum_load(0.025, 92.0, 6000.0, 0.06) == pytest.approx(4 * once, rel=1e-12)
     assert life.minimum_load(0.025, 1000.0, 1.0, 0.1) == pytest.approx(25.0, rel=1e-12)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Load ratings of a row of balls, and balls from given ratings."""
+"""Load ratings are computed for a row of balls, and balls are found from given ratings."""
 
 import math
 
@@ -7,14 +7,14 @@ import pytest
 from raceway import load_rating
 from raceway.theory.load_rating import Balls
 
-# JTEKT's 7208 at 15, 30 and 40 degrees: C and C0 in N
+# C and C0 in N of JTEKT's 7208 at 15, 30 and 40 degrees
 SIZES = {15: (36400, 25200), 30: (33600, 23300), 40: (30600, 21300)}
 
 
 @pytest.mark.parametrize("angle", SIZES)
 def test_ratings_of_a_size(angle):
-    """13 balls of 15/32 in, the diameter that GMN states for a spindle bearing of this size, give
-    the ratings at all three contact angles."""
+    """13 balls of 15/32 in, which is the diameter that GMN states for a spindle bearing of this
+    size, give the ratings at all three contact angles."""
     dynamic, static = SIZES[angle]
     ball, pitch, angle = 25.4e-3 * 15 / 32, 60e-3, math.radians(angle)
     assert load_rating.dynamic(13, ball, pitch, angle) == pytest.approx(dynamic, rel=2e-3)
@@ -24,7 +24,7 @@ def test_ratings_of_a_size(angle):
 
 
 def test_factors():
-    """The factors agree with the tables: f_0 and, for one ball of 1 mm at zero angle, 1.3 f_c."""
+    """The factors agree with the tables: f_0, and 1.3 f_c for one ball of 1 mm at zero angle."""
     for ratio, static, dynamic in ((0.09, 16.5, 54.3), (0.2, 14.0, 59.9), (0.4, 9.4, 48.4)):
         assert load_rating.static_factor(1e-3, 1e-3 / ratio) == pytest.approx(static)
         assert load_rating.dynamic(1, 1e-3, 1e-3 / ratio) == pytest.approx(1.3 * dynamic)
@@ -43,7 +43,7 @@ def test_power_changes_without_a_jump():
 def test_balls_are_found_again(number, ball, pitch):
     ratings = [rate(number, ball, pitch) for rate in (load_rating.dynamic, load_rating.static)]
     assert load_rating.balls(*ratings, pitch) == pytest.approx((number, ball))
-    # a maker whose ratings are 5 % higher
+    # for a maker whose ratings are 5 % higher
     assert load_rating.balls(1.05 * ratings[0], ratings[1], pitch, 0.0, 1.05) == pytest.approx(
         (number, ball)
     )

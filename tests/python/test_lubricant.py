@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Oils as functions of temperature and pressure: published values, slopes, and agreement with the
-deck."""
+"""Properties of oils as functions of temperature and pressure are compared with published values,
+with finite slopes, and with the values in the deck."""
 
 from pathlib import Path
 
@@ -63,7 +63,7 @@ def test_grades_at_forty(name, cold, density):
 
 
 @pytest.mark.parametrize("name", PHYSICAL)
-def test_grade_limits(name):  # ISO 3448: viscosity within 10 % of the grade's number at 40 C
+def test_grade_limits(name):  # ISO 3448 allows 10 % at 40 C
     number = {"pao8": 46, "grease110": 100}.get(name) or float(name[2:])
     assert inputs.fluid(OILS / name).kinematic == pytest.approx(number, rel=0.1001)
 

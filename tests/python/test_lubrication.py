@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film and capacitance from statics: each contact is compared with the formulas, and the bearing as
-a whole has the expected properties."""
+"""Film and capacitance from statics: each contact is compared with the formulas, and trends of the
+bearing's totals are tested."""
 
 import numpy as np
 import pytest
@@ -14,10 +14,11 @@ OIL = Oil(viscosity=0.04, pressure_viscosity=22e-9, permittivity=2.25, roughness
 
 
 def test_each_contact(bearing):
-    """The films equal the result of each formula with the load and contact angle of each ball."""
+    """The films equal the results of each formula for the load and the contact angle of each
+    ball."""
     state = equilibrium(bearing, 2000.0, 1000.0, moment=(10.0, 0.0), clearance=10e-6)
     films = lubricate(bearing, state, OIL, 50.0, 10e-6)
-    assert films.inner.entrainment[0] != films.inner.entrainment[4]  # the contact angle counts
+    assert films.inner.entrainment[0] != films.inner.entrainment[4]  # due to the contact angle
     total = 0
     for ball in range(9):
         series = []

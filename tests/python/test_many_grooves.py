@@ -32,14 +32,15 @@ def test_double_row_is_two_rows(arrangement, way, finite_shift):
     force, stiffness = np.zeros(5), np.zeros((5, 5))
     for side in (1.0, -1.0):
         at = -way * side * spacing / 2
-        # a load acts in the plane of its groove centres, slightly off the plane of the balls
+        # a load acts in the plane of a row's groove centres, which is slightly off the plane of its
+        # balls
         turn = np.eye(5)
         turn[0, 4], turn[1, 3] = at + side * reach, -(at + side * reach)
         own = turn @ place + [0, 0, side * reach, 0, 0]
         one = static.equilibrium(ANGULAR, held=dict(zip(static.FREEDOMS, own)), **options)
         force += turn.T @ [*one.force, *one.moment[:2]]
         stiffness += turn.T @ one.stiffness @ turn
-    # with finite shifts `turn` describes the two planes only approximately
+    # with finite shifts, `turn` describes the two planes only approximately
     within = 1e-3 if finite_shift else 1e-7
     got = np.array([*found.force, *found.moment[:2]])
     assert got == pytest.approx(force, rel=within, abs=1e-6 + within * np.abs(force).max())
@@ -79,14 +80,14 @@ def test_two_points_are_an_angular_contact():
 
 
 def share(found, groove):
-    """Return the fraction of `groove` in the inner contact loads."""
+    """Return the fraction of the inner contact loads that `groove` carries."""
     load = found.inner.load
     return load[groove].sum() / load.sum()
 
 
 def test_reversal_switches_grooves_without_a_jump():
-    """If the thrust on a preloaded bearing reverses, the position and the loads follow the
-    stiffness all the way."""
+    """While the thrust on a preloaded bearing is reversed, the position and the loads follow the
+    stiffness at every step."""
     thrust = np.linspace(-800.0, 800.0, 65)
     options = {"clearance": -4e-6, "held": STRAIGHT}
     rests = [static.equilibrium(FOUR, axial_load=one, **options) for one in thrust]
@@ -102,8 +103,9 @@ def test_reversal_switches_grooves_without_a_jump():
 
 
 def test_balls_switch_one_by_one_under_radial_load():
-    """The loaded balls leave their second grooves at different thrusts. Halving the step in the
-    thrust halves the largest change of a load, so there are no jumps."""
+    """The loaded balls leave their second grooves at different values of the thrust. If the thrust
+    is increased in half as large steps, the largest change of a load halves, so there are no
+    jumps."""
     thrusts = np.linspace(-2400, 2400, 25)
     rests = [static.equilibrium(FOUR, 2000.0, one) for one in thrusts]
     loads = np.array([one.inner.load for one in rests])

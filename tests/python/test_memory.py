@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Readers with constant memory do not need more memory for longer runs. Each task reads a run and a
-run that is nine times as long.
+"""Readers with constant memory need no more memory for a longer run than for a short one. Each task
+reads a run, and a run that is nine times as long.
 
 tests/bench/large_runs.py tests this with 2 GB.
 """
@@ -14,8 +14,8 @@ import pytest
 import raceway
 import synthetic
 
-SHORT, LONG = 20, 180  # multiplies the 49 samples of the synthetic run
-# bytes read at once, reduced in proportion to the runs: even the short run has several blocks
+SHORT, LONG = 20, 180  # repetitions of the 49 samples of the synthetic run
+# bytes read at once, reduced as much as the runs are: even the short run has several blocks
 BLOCK = 1 << 18
 TASKS = """
 from raceway import electrical, losses, regimes, spectrum
@@ -33,12 +33,12 @@ part.contacts, part.balls, part.cage, part.rings
 u = run.universe()
 [u.trajectory[i] for i in range(0, len(u.trajectory), 50)]
 """
-WHOLE = "raceway.open(folder).contacts.load()"  # this one does grow
+WHOLE = "raceway.open(folder).contacts.load()"  # this task needs more memory for a longer run
 
 
 @pytest.fixture(scope="module")
 def folders(tmp_path_factory, lubricated):
-    """Write the run with its samples repeated; return {repetitions: folder}."""
+    """Write the run with its samples repeated, and return {repetitions: folder}."""
     made = {}
     for times in (SHORT, LONG):
         rings = np.tile(np.array(lubricated["rings"], dtype=float), (times, 1))
@@ -50,8 +50,8 @@ def folders(tmp_path_factory, lubricated):
 
 
 def peak(folder, task):
-    """Return the largest resident memory in MB of a process that runs `task`."""
-    # VmHWM instead of ru_maxrss, which a process inherits from its parent
+    """Return the largest resident memory, in MB, of a process that runs `task`."""
+    # VmHWM is used because a process inherits ru_maxrss from its parent
     code = (
         f"import sys, raceway, raceway.runs.record; raceway.runs.record.BLOCK = {BLOCK}; folder ="
         f" sys.argv[1]\n{task}\nprint(next(line.split()[1] for line in open('/proc/self/status') if"
@@ -75,17 +75,18 @@ def peak(folder, task):
 
 
 def growth(folders, task):
-    """Return the additional memory in MB for the long run, divided by the additional size of its
-    record in MB."""
+    """Return the additional memory in MB that the long run needs, divided by the additional size of
+    its record in MB."""
     sizes = [(folders[times] / "record.nc").stat().st_size / 2**20 for times in (SHORT, LONG)]
     return (peak(folders[LONG], task) - peak(folders[SHORT], task)) / (sizes[1] - sizes[0])
 
 
 def test_bounded(folders):
-    """Totals, ring and spectrum keep one row per sample in memory: up to 1 KB of 4.6 KB."""
+    """Totals, ring and spectrum keep one row per sample in memory, which is up to 1 KB of 4.6
+    KB."""
     assert growth(folders, TASKS) < 0.3
 
 
 def test_whole_run_is_not(folders):
-    """The measurement detects growth where it exists."""
+    """A task that reads the whole run into memory is detected as growing."""
     assert growth(folders, WHOLE) > 0.5

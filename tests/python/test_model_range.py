@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A result has a range if the uncertainty of its model is known."""
+"""A result has a range if the uncertainty of the model behind it is known."""
 
 import pytest
 from raceway import asperity, film, film_factors, hertz
@@ -27,8 +27,8 @@ def test_the_figure_lies_inside(folder):
 
 @pytest.mark.parametrize("given, ends", [(1.5e-7, (1.5e-7, 1.5e-7)), (1e-7, (0.5e-7, 3e-7))])
 def test_film_parameter(tmp_path, lubricated, given, ends):
-    """The range of the roughness in the file, 0.1 um, is 0.5 to 3 times this value; a roughness set
-    by the user is assumed to be exact."""
+    """For the roughness in the file, 0.1 um, the range is 0.5 to 3 times this value; a roughness
+    set by the user is assumed to be exact."""
     folder = write(tmp_path, changed(lubricated, roughness_m=given))
     ranges = summary(RunTables(folder))["model_ranges"]
     film_range, ratio = ranges["h_min_m"], ranges["lambda"]
@@ -37,8 +37,8 @@ def test_film_parameter(tmp_path, lubricated, given, ends):
 
 
 def test_values_given_outright_have_no_range(tmp_path, lubricated):
-    """The range of the film then follows from the laws alone; it is computed here for the top
-    contact."""
+    """In this case the range of the film follows from the laws alone; it is computed here for the
+    top contact."""
     own = changed(lubricated, viscosity_Pa_s=0.05, pressure_viscosity_per_Pa=2e-8)
     tables = RunTables(write(tmp_path, own))
     figures = summary(tables)
@@ -48,7 +48,7 @@ def test_values_given_outright_have_no_range(tmp_path, lubricated):
     modulus, load = bearing.effective_modulus, figures["q_inner_max_N"]
     group = film.group(0.05, 2e-8, modulus, r_x, kappa, speed, load)
     other = film.hamrock_dowson_c(r_x, group) / film.h_c(r_x, group)
-    loading = film_factors.thermal_loading(0.047, 0.05, speed, 0.134)  # of mineral
+    loading = film_factors.thermal_loading(0.047, 0.05, speed, 0.134)  # data of mineral
     shear = [film_factors.murch_wilson(loading), film_factors.wilson(loading)]
     shear.append(film_factors.gupta(loading, figures["p_max_inner_Pa"] / modulus))
     found = model_ranges(tables, figures)["h_c_m"]
@@ -65,7 +65,7 @@ def test_laws_of_asperities_and_torque(folder):
     laws = [asperity.olver_spikes(1.41), asperity.clarke(1.41), asperity.zhou_hoeprich(1.41)]
     assert found["asperity_share"][:2] == pytest.approx((min(laws), max(laws)), rel=1e-12)
     assert found["friction_torque_N_m"][:2] == (0.08, 0.12)
-    figures["models"] = "paper"  # the torque of this model has no rolling resistance
+    figures["models"] = "paper"  # in this model the torque lacks rolling resistance
     assert "friction_torque_N_m" not in model_ranges(tables, figures)
 
 

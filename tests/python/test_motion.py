@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The picture of the ring's motion, and titles that describe the simulated run."""
+"""The picture of the ring's motion is drawn, with a title that describes the simulated run."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Variables of datasets as attributes, and second names for names that are not valid in Python."""
+"""The variables of datasets are available as attributes, and names that are not valid in Python
+have second names."""
 
 import pytest
 import raceway

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Messages about wrong names and files state the remedy."""
+"""Messages about wrong names and files state how to correct them."""
 
 import pytest
 import raceway
@@ -9,8 +9,8 @@ from raceway.sweeps.host_run import complaint
 
 
 def test_public_names():
-    """Completion offers public names only, and the error for a wrong name suggests the nearest
-    name."""
+    """Only public names are offered for completion, and the error message for a wrong name suggests
+    the nearest name."""
     assert {name for name in dir(raceway) if not name.startswith("__")} == {
         name for name in raceway.__all__ if not name.startswith("__")
     }
@@ -30,6 +30,6 @@ def test_an_oil_without_viscosity(tmp_path):
 
 
 def test_the_last_words_of_a_host(tmp_path):
-    """If there is no error line, the message is the last line that does not consist of dashes."""
+    """If there is no error line, the message is the last line that does not consist of rules."""
     (tmp_path / "log").write_text("mpirun cannot run as root\n\n-------\n  ====\n")
     assert complaint(tmp_path / "log", 1) == "exit code 1; last line: mpirun cannot run as root"

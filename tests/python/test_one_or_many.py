@@ -22,8 +22,8 @@ def said(capsys, *words):
 
 @pytest.mark.parametrize("command", OF)
 def test_several_values_are_the_points_one_by_one(capsys, command):
-    """A command computes every combination in the order of the options. The result for a single
-    point is an object, not a list."""
+    """A command computes every combination of values in the order of the options. For a single
+    point, the result is an object instead of a list."""
     given = [word for name, values in VALUES.items() for word in (f"--{name}", *values)]
     together = json.loads(said(capsys, command, *OF[command], *given, "--json"))
     alone = [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The overview is drawn for every kind of run, from the right values."""
+"""The overview is drawn from the right values for every kind of run."""
 
 import matplotlib.image
 import numpy as np
@@ -23,7 +23,7 @@ def axes(monkeypatch):
 
 
 def drawn(panel, colour):
-    """Return all points of the lines of one colour, shape (n, 2)."""
+    """Return all points of the lines with the given colour as an array of shape (n, 2)."""
     lines = [np.column_stack(line.get_data()) for line in panel.lines if line.get_color() == colour]
     points = np.concatenate(lines).astype(float)
     return points[~np.isnan(points).any(axis=1)]
@@ -56,14 +56,14 @@ def test_lubricated(folder, lubricated, tmp_path, axes):
 
 
 def test_lost_contact_breaks_the_line(tmp_path, axes):
-    """In twelve passes balls return to the load zone, but no line is drawn across the unloaded
+    """In twelve passes, balls return to the load zone, but no line is drawn across the unloaded
     zone."""
     data = synthetic.run(clearance=1e-5, passes=12, samples_per_pass=8)
     plot.overview(RunTables(synthetic.write(tmp_path / "long", data)), tmp_path / "long.png")
     panel = axes()["Contact load around the ring"]
     steps = np.concatenate([np.diff(line.get_xdata()) for line in panel.lines])
     assert np.isnan(steps).any()
-    # the path of a ball from one sample to the next
+    # the azimuth between two consecutive samples of one ball
     assert np.nanmax(np.abs(steps)) == pytest.approx(2 * np.pi / 9 / 8, rel=1e-6)
 
 
@@ -81,7 +81,7 @@ def test_ball_that_goes_round_more_than_once(tmp_path, axes):
     plot.overview(RunTables(synthetic.write(tmp_path / "long", data)), tmp_path / "long.png")
     pressure = axes()["Hertz pressure"]
     for line in pressure.lines:
-        assert not np.any(np.abs(np.diff(line.get_xdata())) > 90)  # no line across the panel
+        assert not np.any(np.abs(np.diff(line.get_xdata())) > 90)  # no line runs across the panel
 
 
 def test_large_run_is_drawn_in_part(folder, tmp_path, axes, monkeypatch):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The Python package as others install it: its requirements, its contents, and where it works."""
+"""Tests of the installed Python package: its requirements, its contents, and where it works."""
 
 import os
 import re
@@ -27,15 +27,15 @@ def numbers(version):
 
 @pytest.mark.parametrize("needed", PROJECT["dependencies"])
 def test_what_is_installed_already_stays(needed):
-    """Requirements are lower bounds only, because `pip install raceway` must not change a newer
+    """Requirements are only lower bounds, because `pip install raceway` must not replace a newer
     version."""
     name, least = re.fullmatch(r"([a-z]+)>=([\d.]+)", needed).groups()
     assert numbers(LOCK[name]) >= numbers(least)
 
 
 def test_lock_has_everything():
-    """The lock also contains the packages for tests, docs and benches. If pyproject.toml requires
-    an exact version, the lock has this version."""
+    """The lock file also contains the packages for tests, docs and benches. If pyproject.toml
+    requires an exact version, the lock file contains this version."""
     asked = [need for extra in PROJECT["optional-dependencies"].values() for need in extra]
     for need in asked:
         name, bound, version = re.fullmatch(
@@ -49,8 +49,8 @@ def test_lock_has_everything():
 
 
 def copy_sources(folder):
-    """Copy the files of the package as they are in a checkout before `make` or `pip` has built
-    anything."""
+    """Copy the files of the package as they are in a checkout in which neither `make` nor `pip` has
+    built anything."""
     built = shutil.ignore_patterns("libraceway_core.so", "build", "*.egg-info")
     for name in ("python", "inputs", "src-package/core"):
         shutil.copytree(ROOT / name, folder / name, symlinks=True, ignore=built)
@@ -59,8 +59,8 @@ def copy_sources(folder):
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory):
-    """Return the files of a wheel that setuptools builds from a copy of the sources; the library is
-    not optimised."""
+    """Return the files of a wheel that setuptools builds from a copy of the sources, with a library
+    that is not optimised."""
     folder = tmp_path_factory.mktemp("wheel")
     compiler = folder / "compiler"
     compiler.write_text('#!/bin/sh\nexec g++ "$@" -O0\n')
@@ -106,7 +106,7 @@ def test_wheel_has_the_data_files(wheel):
 
 
 def test_installed_from_a_wheel(wheel, tmp_path):
-    """An installed `raceway static` finds its bearings without a source tree nearby."""
+    """An installed `raceway static` finds its bearings even if there is no source tree nearby."""
     done = subprocess.run(
         [
             sys.executable,
@@ -129,8 +129,8 @@ def test_installed_from_a_wheel(wheel, tmp_path):
 
 
 def test_folder_that_was_moved(tmp_path):
-    """A .venv contains the path of its folder. `make` detects that the .venv was made in another
-    folder, and makes a new one."""
+    """A .venv contains the path of its folder. `make` detects that a .venv was created in another
+    folder, and creates a new one."""
     (tmp_path / "Makefile").write_text((ROOT / "Makefile").read_text())
     for name in (
         "python/pyproject.toml",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cases of `raceway paper` and the program that runs them, which is a script here."""
+"""Tests of the cases of `raceway paper` and of the program that runs them, here a shell script."""
 
 import shutil
 from pathlib import Path
@@ -18,7 +18,7 @@ cases:
   free: {deck: inputs/in.axial, with: {total_curvature: 0.08, clearance_ratio: 0.0035}}
 products: {8a: [few], 9: [few, same], A.4: [free]}
 """
-# logs its call, and fails for the load in the file `bad`
+# this script logs its call, and fails for the load stated in the file `bad`
 PROGRAM = """#!/bin/sh
 echo "$@" >> runs.txt
 bad=$(cat bad 2>/dev/null || echo none)
@@ -29,7 +29,7 @@ echo done
 
 @pytest.fixture
 def tree(tmp_path, monkeypatch):
-    """Return a source tree with a plan of three cases and a script as the program."""
+    """Return a source tree that has a plan with three cases, and a script as its program."""
     for folder in ("bearings", "lubricants"):
         shutil.copytree(ROOT / "inputs" / folder, tmp_path / "inputs" / folder)
     for deck in ("in.6208", "in.axial"):
@@ -65,7 +65,7 @@ def test_names_become_the_decks(tree):
     assert all(("settle", "1") in case.settings for case in few)
     # rad/s, U_r = omega r_pitch (1 - gamma^2)/2
     spin = 2 * 0.41 / (30.3e-3 * (1 - (6.3 / 30.3) ** 2))
-    # 12 digits are given
+    # the setting has 12 digits
     assert float(dict(few[0].settings)["rpm"]) == pytest.approx(spin * 30 / np.pi, rel=1e-11)
     # table A.1: B = 0.08 is a groove of 6.804 mm; table 3: P_d/D = 0.0035 is 44.1 um
     assert dict(free.settings) == {
@@ -144,7 +144,7 @@ def test_failure_is_named_and_the_rest_runs(tree):
         dict(case.settings)["load"] == "1000"
         and message == "exit code 1: ERROR: no such load (x.cpp:1)"
     )
-    # nothing half-written
+    # there are no incomplete files
     assert not [path for path in (tree / "store").rglob("*") if path.name.startswith(".")]
     (tree / "bad").unlink()
     assert not run_all(tree)[0].failures

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Values are read correctly from a run folder with known contents."""
+"""Values are read correctly from a run folder whose contents are known."""
 
 from types import SimpleNamespace
 
@@ -15,7 +15,7 @@ from raceway.paper.reading import Reading, endplay
 from raceway.theory.bearing import INNER, OUTER
 
 OIL = Oil(*synthetic.OIL.values())
-GAP = 1e-5  # m, of the folder
+GAP = 1e-5  # m, clearance of the run in the folder
 
 
 @pytest.fixture
@@ -25,10 +25,10 @@ def reading(folder):
 
 def test_around(reading, bearing):
     psi, load = reading.around(OUTER, "load")
-    # with clearance the load zone is less than half of the ring
+    # with clearance, the load zone covers less than half of the ring
     assert np.all(np.diff(psi) >= 0) and -95 < psi[0] < -60 and 60 < psi[-1] < 95
     rest = static.equilibrium(bearing, 5000.0, clearance=GAP, phase=0.0)
-    # 0.2 %: error of linear interpolation between samples, 24 per ball pass
+    # 0.2 % is the error of linear interpolation between samples, with 24 samples per ball pass
     assert reading.top(OUTER, "load") == pytest.approx(rest.outer.load[0], rel=2e-3)
     assert load.max() <= rest.outer.load[0] * (1 + 1e-9)
 
@@ -59,8 +59,8 @@ def test_coulomb_use(reading):
 
 
 def test_cage_contact_share(reading):
-    """Cage balls lie half-way between balls, and one of them touches its neighbour in every
-    sample."""
+    """Cage balls are half-way between the balls, and in every sample one of them touches its
+    neighbour."""
     angle, count = 2 * np.pi * np.arange(9) / 9, 9
 
     def places(turn, push):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Verdicts on the statements of the paper."""
+"""Tests of the verdicts on the statements of the paper."""
 
 from pathlib import Path
 from types import SimpleNamespace
@@ -59,8 +59,9 @@ def test_judge():
 
 
 def test_judged_with_all_of_the_capacitance():
-    """Statements with rules for the total capacitance use these rules; others apply their usual
-    rules to the new numbers. Without such numbers the verdict does not change."""
+    """Statements with rules for the total capacitance are judged by these rules; for the other
+    statements the usual rules are applied to the new values. Without such values the verdict does
+    not change."""
     corrected = {"a": Quantity(1.0, "F", "plates"), "b": Quantity(5.0, "", "number")}
     whole = {"a": Quantity(3.0, "F", "all"), "c": Quantity(2.0, "F", "around")}
     same = Statement("1", "...", "", ("a < 2",), ("a",), "")
@@ -80,7 +81,7 @@ def test_judged_with_all_of_the_capacitance():
 
 
 def test_verdicts_that_are_stated():
-    """Every statement has an entry in each column. Without a rule the verdict is unknown."""
+    """Every statement has an entry in each column. If there is no rule, the verdict is unknown."""
     verdicts = {AGREE, DIFFER, UNKNOWN}
     for one in statements.read():
         assert one.found[0] in verdicts and set(one.found[1:]) <= verdicts | {SAME}
@@ -88,7 +89,7 @@ def test_verdicts_that_are_stated():
 
 
 def test_known_formulas():
-    """The printed formulas for stiffness are evaluated from the data of the bearing alone
+    """The printed formulas for the stiffness are evaluated from the data of the bearing alone
     (docs/errata)."""
     book = SimpleNamespace(
         bearing=inputs.bearing(ROOT / "inputs/bearings/6208"),

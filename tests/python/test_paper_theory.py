@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The theory behind the paper's figures: loads, films, capacitance and the change of regime."""
+"""Tests of the theory behind the paper's figures: loads, films, capacitance and the change of
+regime."""
 
 import numpy as np
 import pytest
@@ -36,14 +37,15 @@ def test_contact_is_the_formulas(bearing, printed):
 def test_loads_balance_the_ring(bearing):
     psi, load, _ = theory.loads(bearing, 5000.0)
     assert psi.shape == load.shape == (theory.PHASES, bearing.balls)
-    # 0.1 %: contact normals of a displaced ring deviate slightly from the radius
+    # 0.1 %, because the contact normals of a displaced ring deviate slightly from the radial
+    # direction
     assert (load * np.cos(np.radians(psi))).sum(1) == pytest.approx(5000.0, rel=1e-3)
-    # Harris, without the effect of finite shift
+    # Harris's value, without the effect of finite shift
     assert theory.largest_load(bearing, 5000.0) == pytest.approx(2436.2, rel=1e-3)
 
 
 def test_mean_shift_is_stribecks(bearing):
-    # 1 %: nine balls compared with a continuous load
+    # 1 % is the difference between nine balls and a continuous load distribution
     assert theory.loads(bearing, 5000.0, 44.1e-6)[2] == pytest.approx(
         distribution.shift(bearing, 5000.0, 44.1e-6), rel=1e-2
     )
@@ -60,7 +62,7 @@ def test_bearing_is_the_sum_of_balls(bearing):
 def test_speed_of_a_film(bearing):
     at = passage.speed(bearing, OIL, 5000.0, 123e-9)
     found = theory.contact(bearing, OIL, INNER, theory.largest_load(bearing, 5000.0), at).h_min
-    # the exponent of the speed follows from two logarithms
+    # the exponent of the speed follows from the logarithms of two values
     assert found == pytest.approx(123e-9, rel=1e-9)
 
 

@@ -19,8 +19,8 @@ from raceway.theory.bearing import INNER, OUTER
 
 
 def test_polar_theory_is_the_static_solution(folder, lubricated, bearing):
-    """The run consists of static solutions, so the dots lie on the curves. The run lacks the
-    centrifugal load of the balls, which is 0.1 N."""
+    """The run consists of static solutions, so the dots lie on the curves. The centrifugal load on
+    the balls, which is 0.1 N, is not included in the run."""
     dots = polar.theory(RunTables(folder))
     for side in (INNER, OUTER):
         loads = static.equilibrium(bearing, 5000.0, clearance=1e-5, phase=dots[side]["psi"][0])
@@ -84,7 +84,7 @@ def test_bands_of_the_waterfall(folder, lubricated):
     samples, psi, each = waterfall.bands(run)
     assert samples.tolist() == list(range(49)) and psi.shape == each.shape == (49, 9)
     assert np.nansum(each, axis=1) == pytest.approx(run.bearing_capacitance)
-    assert np.diff(psi, axis=0) == pytest.approx(2 * np.pi / 9 / 24)  # a pitch per 24 samples
+    assert np.diff(psi, axis=0) == pytest.approx(2 * np.pi / 9 / 24)  # one ball pitch in 24 samples
     row = next(row for row in lubricated["balls"][7] if row[0] == 4)
     assert np.cos(psi[7, 3] - (np.arctan2(row[3], row[2]) + np.pi / 2)) == pytest.approx(1)
 
@@ -96,8 +96,8 @@ def test_bands_of_a_long_run_are_thinned(folder, monkeypatch):
 
 
 def test_scene(folder, lubricated, bearing):
-    """Touching bodies with an overlap d are drawn with the overlap factor * d, and the colours show
-    the values of the contacts."""
+    """Touching bodies with an overlap d are drawn with an overlap of factor * d, and the colours
+    show the values of the contacts."""
     run, samples, factor = RunTables(folder), np.array([3, 10, 20]), 20.0
     what = scene(run, samples, "load", factor)
     pitch = bearing.pitch_radius
@@ -161,7 +161,7 @@ def test_colours(folder, colour):
 
 
 def pictures(path):
-    """Return every frame of a GIF as an array."""
+    """Return all frames of a GIF as arrays."""
     with Image.open(path) as gif:
         for k in range(gif.n_frames):
             gif.seek(k)
@@ -182,8 +182,8 @@ def test_gif(folder, tmp_path, capsys):
 
 
 def test_balls_of_a_gif_are_where_they_are(folder, tmp_path):
-    """In every frame the ball with the largest load, which is yellow, is at its position in the
-    sample."""
+    """In every frame, the ball with the largest load, drawn in yellow, is at the position given in
+    the sample."""
     run, rgb = RunTables(folder), np.rint(255 * np.array(plt.get_cmap("cividis")(1.0)[:3]))
     sheet = still.Sheet(run, scene(run, np.array([0, 12])), "load")
     for k, sample in enumerate((0, 12)):
@@ -242,8 +242,8 @@ def test_without_ffmpeg(folder, tmp_path, monkeypatch):
 
 
 def test_ffmpeg_gets_every_picture(folder, tmp_path, monkeypatch):
-    """A substitute for ffmpeg keeps its input: raw pictures of the expected size, all of them
-    different."""
+    """A substitute for ffmpeg saves its input, which consists of raw pictures of the expected size
+    that all differ from one another."""
     program = tmp_path / "ffmpeg"
     program.write_text(
         '#!/bin/sh\necho "$@" > said\ncat > fed\nfor last; do :; done\ncp fed "$last"\n'

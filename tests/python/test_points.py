@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The table of a sweep: accepted forms, and a message for every mistake before anything runs."""
+"""Tests of the table of a sweep: the accepted forms, and a message for every mistake before any run
+starts."""
 
 from pathlib import Path
 
@@ -27,13 +28,13 @@ def test_points(tmp_path):
         "load=5e3_rpm=477.5_lubricant=dry",
         "load=20_rpm=100_lubricant=pao48",
     ]
-    # values as written, in the order of the deck's variables
+    # values are kept as written, in the order of the deck's variables
     assert found[0].variables == {"load": "5e3", "rpm": "477.5", "lubricant": "dry"}
 
 
 def test_words_of_another_meaning(tmp_path):
-    """A variable whose default is a word, and a bearing whose name ends like a unit, are
-    accepted."""
+    """A variable whose default is a word is accepted, and so is a bearing whose name ends like a
+    unit."""
     path = tmp_path / "table.csv"
     path.write_text("bearing,load,rpm\n6205N,5kN,1500\n")
     known = {"bearing": "6208", "load": "left", "rpm": "1"}
@@ -41,7 +42,7 @@ def test_words_of_another_meaning(tmp_path):
 
 
 def test_name_is_stable(tmp_path):
-    """The order of columns and rows does not affect the name."""
+    """The name does not depend on the order of columns and rows."""
     one = points(tmp_path, "load,rpm\n1,2\n3,4\n")
     other = points(tmp_path, "rpm,load\n4,3\n2,1\n")
     assert {point.name for point in one} == {point.name for point in other}
@@ -53,7 +54,7 @@ def test_long_names():
 
 
 def test_names_of_paths():
-    """Files with the same name in different folders lead to different names."""
+    """Files with the same name in different folders result in different names."""
     names = {folder_name({"bearing": path, "load": "1"}) for path in ("a/own", "b/own", "own")}
     assert len(names) == 3 and not any("/" in name for name in names)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""All public names exist, and every public function has annotations for its arguments and
+"""All public names exist, and every public function has annotations for its parameters and its
 result."""
 
 import importlib
@@ -21,8 +21,8 @@ MODULES = [
 
 
 def public(module):
-    """Yield (name, function) for every public function and method that `module` defines, including
-    constructors."""
+    """Yield (name, function) for every public function and method, including constructors, that
+    `module` defines."""
     for name, thing in vars(module).items():
         if name.startswith("_") or getattr(thing, "__module__", None) != module.__name__:
             continue
@@ -47,8 +47,8 @@ def plain(member):
 
 
 def without_hint(function):
-    """Return the names of the parameters without annotation, and "return" if the result has none;
-    `self` and `cls` are not listed."""
+    """Return the names of the parameters without an annotation, and "return" if the result has
+    none; `self` and `cls` are left out."""
     signature = inspect.signature(function)
     names = [
         name
@@ -68,13 +68,13 @@ def test_hints(name):
 def test_docstrings(name):
     module = importlib.import_module(name)
     assert module.__doc__
-    # the docstring of a class documents its constructor
+    # a constructor is documented by the docstring of its class
     bare = [key for key, one in public(module) if not (one.__doc__ or key.endswith("__init__"))]
     assert bare == []
 
 
 def test_hints_name_types_that_are():
-    """Every hint can be evaluated, including hints in quotes."""
+    """Every annotation can be evaluated, including annotations in quotes."""
     from MDAnalysis import Universe
     from raceway.recordings.compare import Comparison
     from raceway.recordings.identify import Found

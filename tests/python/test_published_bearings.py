@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The theory is compared with published values. docs/validation.rst lists them next to our
-values."""
+"""Results of the theory are compared with published values. docs/validation.rst lists these values
+next to ours."""
 
 from pathlib import Path
 
@@ -13,9 +13,9 @@ BEARINGS = Path(__file__).resolve().parents[2] / "inputs/bearings"
 
 
 def test_harris_209():
-    """Harris & Kotzalas 2006, worked examples for the 209 under 8.9 kN with P_d = 15 um. Two
-    methods in the book give 4527 and 4536 N for the ball on the load line; other loads are printed
-    to 1 N."""
+    """The source is Harris & Kotzalas 2006, worked examples for the 209 under 8.9 kN with P_d = 15
+    um. Two methods in the book give 4527 and 4536 N for the ball on the load line; the loads on the
+    other balls are printed to 1 N."""
     bearing = inputs.bearing(BEARINGS / "harris209")
     state = static.equilibrium(bearing, 8900.0, clearance=15e-6)
     assert 4526.5 < state.inner.load[0] < 4536.5
@@ -25,9 +25,9 @@ def test_harris_209():
 
 
 def test_harris_209_geometry():
-    """The printed endplay is 0.174 mm. The exact 0.1726 mm is 0.8 % less, but 2 C sin(10 degrees)
-    is 0.1736 mm, so the book seems to round its free angle of 9.94 degrees. The curvature sums
-    equal 0.202 and 0.138 1/mm to the printed digits."""
+    """The printed endplay is 0.174 mm. The exact value of 0.1726 mm is 0.8 % smaller, but
+    2 C sin(10 degrees) is 0.1736 mm, so the book seems to round the free angle of 9.94 degrees. The
+    curvature sums equal 0.202 and 0.138 1/mm to the printed digits."""
     bearing = inputs.bearing(BEARINGS / "harris209")
     assert clearance.free_endplay(bearing, 15e-6) == pytest.approx(0.174e-3, rel=1e-2)
     sums = [
@@ -38,14 +38,15 @@ def test_harris_209_geometry():
 
 
 def test_6205_frequencies():
-    """Case Western Reserve University Bearing Data Center, drive end 6205-2RS JEM: 9 balls of
-    0.3126 in on a pitch diameter of 1.537 in. The published 4.7135 for the ball counts both
-    raceways and is twice our ball spin frequency."""
+    """The source is the Case Western Reserve University Bearing Data Center: the drive-end bearing
+    6205-2RS JEM has 9 balls of 0.3126 in on a pitch diameter of 1.537 in. The published value of
+    4.7135 for the ball counts the impacts on both raceways and is therefore twice our ball spin
+    frequency."""
     inch = 25.4e-3
     ball, pitch = 0.3126 * inch, 1.537 * inch
     bearing = Bearing(9, ball, (pitch - ball) / 2, (pitch + ball) / 2, 0.52 * ball, 0.52 * ball)
     ours = kinematics.frequencies(bearing)
-    # to the published digits; the last digit of BSF follows from dimensions with four digits
+    # to the published digits; the last digit of BSF follows from dimensions given to four digits
     assert ours.inner == pytest.approx(5.4152, abs=5e-5)
     assert ours.outer == pytest.approx(3.5848, abs=5e-5)
     assert ours.cage == pytest.approx(0.3983, abs=5e-5)
@@ -66,13 +67,13 @@ ISO = {  # (loads in N, N, N m, clearance in m), (radial and axial shift in um, 
 @pytest.mark.parametrize("name", ISO)
 def test_iso_16281(name):
     """The reference values come from a test in github.com/minzhun/ISO16281 (Test_BallBearing.py), a
-    program for ISO/TS 16281 that was checked against a commercial program: 7 balls of 11.5 mm on a
-    pitch diameter of 43.5 mm, conformities 0.52 and 0.53, E 210 GPa, a ball on the load line, and a
-    moment about the load line. The program takes half the pitch diameter as the lever arm of tilt
-    and moment, while the groove centres lie at a radius of 21.98 mm. The test corrects for this:
-    our moment is larger by the ratio of both radii, and our tilt is smaller by it. The tolerance is
-    1e-4, because ISO/TS 16281 rounds the constant of the contact stiffness to 1.48 (5e-5 in
-    deflection) and the values have five digits."""
+    program for ISO/TS 16281 that was checked against a commercial program. The bearing has 7 balls
+    of 11.5 mm on a pitch diameter of 43.5 mm, conformities of 0.52 and 0.53, E 210 GPa, a ball on
+    the load line, and a moment about the load line. The program uses half the pitch diameter as the
+    lever arm of tilt and moment, whereas the groove centres lie at a radius of 21.98 mm. The test
+    corrects for this: our moment is larger, and our tilt smaller, by the ratio of the two radii.
+    The tolerance is 1e-4, because ISO/TS 16281 rounds the constant of the contact stiffness to 1.48
+    (5e-5 in deflection) and the values are given to five digits."""
     (radial, axial, moment, pd), (shift, along, tilt) = ISO[name]
     ball, pitch = 11.5e-3, 43.5e-3
     bearing = Bearing(7, ball, (pitch - ball) / 2, (pitch + ball) / 2, 0.52 * ball, 0.53 * ball)

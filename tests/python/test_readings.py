@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files of readings: rejected files, messages, lines of recordings, and the command."""
+"""Tests of files of readings: files that are rejected, messages, lines found in recordings, and the
+command."""
 
 import json
 import math
@@ -58,7 +59,7 @@ def test_mistakes(tmp_path, old, new, says):
 
 @pytest.mark.parametrize("name", orders.LINES)
 def test_an_angle_gives_its_line(name):
-    """Kinematics with the contact angle found from a line give this line."""
+    """If the contact angle is found from a line, kinematics with this angle reproduce the line."""
     from raceway import catalogue, inputs
 
     body = inputs.bearing(catalogue.find("bearings", "6205"))
@@ -73,7 +74,7 @@ def test_an_angle_gives_its_line(name):
 
 
 def test_a_line_of_a_recording(tmp_path):
-    """The order of a line, its uncertainty and the speed are found in the signal."""
+    """The order of a line, its uncertainty and the shaft speed are found in the signal."""
     rate, shaft, order = 24000.0, 29.93, 3.5972
     time = np.arange(int(4 * rate)) / rate
     since = (order * shaft * time) % 1 / (order * shaft)
@@ -93,8 +94,8 @@ def test_a_line_of_a_recording(tmp_path):
 def test_an_error_of_the_cage_is_common_to_its_lines():
     """Two lines that both determine the cage speed with the same relative error count as one
     reading with this error divided by sqrt(2). The error of the model and the play of the pockets
-    are added to it (Sherman-Morrison formula). A wide range of slip is penalised by as much as it
-    widens the lines."""
+    are added to it (Sherman-Morrison formula). A wide range of slip is penalised in proportion to
+    the widening of the lines."""
     read, within, more = 0.4, 1e-4, 1e-3
     points = [Point(1797.0)] * 2
     rows = [
@@ -141,8 +142,8 @@ def test_mistakes_in_a_table_of_lines(tmp_path, text, options, says):
 
 
 def test_unknowns_of_a_table_of_lines(tmp_path):
-    """Quantities that neither the table nor an option states are unknown. A contact angle sets the
-    clearance."""
+    """Quantities that are given neither in the table nor by an option are unknown. A contact angle
+    determines the clearance."""
     path = lines(tmp_path, "speed_Hz,ftf_Hz,load_N\n30,11.9,5\n")
     given = line_table.read(path, "6205")
     assert set(given.unknown) == {"clearance", "axial", "temperature"}
@@ -151,9 +152,9 @@ def test_unknowns_of_a_table_of_lines(tmp_path):
 
 
 def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
-    """The lines come from statics and have no errors. One line determines only a curve through the
-    true state. The ball's spin and a second load determine the angle. The intervals include the
-    true clearance, thrust and angle, and zero slip."""
+    """The lines are computed by statics and have no errors. A single line determines only a curve
+    through the true state. The ball's spin and a second load determine the angle. The intervals
+    include the true values of clearance, thrust and angle, and zero slip."""
     monkeypatch.setattr(identify, "TRIED", 2)
     monkeypatch.setattr(identify, "VALLEY", 4)
     true = {"clearance": 8e-6, "axial": 90.0}
@@ -195,7 +196,7 @@ def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
 
 
 def test_loads_that_no_state_carries_are_left_out(tmp_path):
-    """In part of this range of thrust the balls are forced out of their grooves. The valley of the
+    """In part of this range of thrust, the balls are forced out of their grooves. The valley of the
     misfit ends where this part begins."""
     text = GOOD.replace("axial: 30, ", "").replace("0 15e-6", "0 15e-6, axial: 10 1e6")
     text = text.replace("\nknown:", "\nmodels: paper\nknown:")
@@ -204,7 +205,8 @@ def test_loads_that_no_state_carries_are_left_out(tmp_path):
 
 
 def test_command(tmp_path, capsys):
-    """The command prints settings for a deck, and reports a reading that no clearance explains."""
+    """The command prints settings for a deck, and reports a reading that cannot be explained by any
+    clearance."""
     path = str(write(tmp_path))
     assert main(["identify", path]) == 0
     said = capsys.readouterr().out
@@ -216,7 +218,7 @@ def test_command(tmp_path, capsys):
 
 
 def test_angle_beside_a_temperature_that_was_read_first(tmp_path, capsys):
-    """The contact angle follows from the line in any order of the readings."""
+    """The contact angle follows from the line whatever the order of the readings."""
     line = "  - {rpm: 1797, BPFO: 3.5972, within: 2e-4}"
     rows = ["  - {rpm: 1797, temperature: 40, within: 1}", line]
     head = GOOD.split("readings:")[0].replace(", temperature: 40", "")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The Spack package and the conda recipe in docs/packaging have the requirements of
+"""The Spack package and the conda recipe in docs/packaging have the same requirements as
 pyproject.toml."""
 
 import re
@@ -24,7 +24,7 @@ VERSION = re.search(r'"(.+)"', (ROOT / "src-package/core/settings/raceway_versio
 
 @pytest.fixture
 def spack(monkeypatch):
-    """Return the directives (name, arguments) of the Spack package, and its class."""
+    """Return (directives of the Spack package as (name, arguments), its class)."""
     asked = []
     stub = types.ModuleType("spack.package")
     for name in ("license", "version", "extends", "depends_on"):

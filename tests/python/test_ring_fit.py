@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness and damping are found from known motions and forces."""
+"""Stiffness and damping are recovered from known motions and forces."""
 
 import types
 
@@ -19,7 +19,7 @@ FORCE = 300.0 - PLACE @ STIFFNESS.T - SPEED @ DAMPING.T
 
 
 def of_rings(force, time=TIME):
-    """Return the data that `of_run` reads from a run."""
+    """Return data with the layout that `of_run` reads from a run."""
     names = dict(x=PLACE[:, 0], y=PLACE[:, 1], z=PLACE[:, 2])
     names |= dict(zip(("fx", "fy", "fz"), force.T))
     data = {name: ("time", values) for name, values in names.items()}
@@ -34,8 +34,8 @@ def test_exact_data():
 
 
 def test_errors_are_those_of_the_noise():
-    """Deviations due to noise are about as large as the standard errors, and at most four times as
-    large."""
+    """Deviations due to noise are of the same size as the standard errors, and never more than four
+    times as large."""
     force = FORCE + np.random.default_rng(1).normal(size=FORCE.shape)
     found = ring_fit.fitted(PLACE, SPEED, force)
     off = np.abs(found.damping - DAMPING) / found.damping_error
@@ -46,8 +46,8 @@ def test_errors_are_those_of_the_noise():
 
 
 def test_of_a_run():
-    """Velocities follow from positions, and a force at the ball pass frequency is fitted as
-    well."""
+    """Velocities are computed from positions, and a force at the ball pass frequency is fitted
+    too."""
     passing = 2 * np.pi * 178.2
     force = FORCE + 20.0 * np.cos(passing * TIME + 0.3)[:, None]
     found = ring_fit.of_run(of_rings(force), ("x", "y", "z"), since=1e-4, lines=[passing])

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The response of a ring to small motions: closed-form solution for springs and dampers in series,
-laws of the dampers, and the mean over a ball pass."""
+"""The response of a ring to small motions is compared with the closed-form solution for springs and
+dampers in series; damping laws and the mean over a ball pass are tested too."""
 
 import json
 
@@ -15,7 +15,7 @@ from raceway.theory.lubricant import Fluid
 B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 OIL = Oil(viscosity=0.04, pressure_viscosity=22e-9, permittivity=2.25, roughness=1e-7)
 SPIN = 300.0  # rad/s
-MASS = 8.17e-3  # kg, of a ball
+MASS = 8.17e-3  # kg, mass of a ball
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +36,7 @@ def test_without_dampers_it_is_the_stiffness(combined):
 
 @pytest.mark.parametrize("frequency, mass", [(0.0, 0.0), (2000.0, 0.0), (20000.0, MASS)])
 def test_springs_and_dampers_in_series(radial, frequency, mass):
-    """Under a radial load the balls move along their radii, with a spring and a damper on each
+    """Under a radial load, the balls move along their radii, with a spring and a damper on each
     side."""
     c = np.array([800.0, 300.0])
     found = small_motion.response(
@@ -83,7 +83,8 @@ def test_negative_numbers(radial):
 
 
 def test_over_a_ball_pass():
-    """Mean, smallest and largest stiffness across the load, over 16 phases."""
+    """The mean, smallest and largest stiffness perpendicular to the load are found over 16
+    phases."""
     found = ring_response.turning_ring(B6208, 3000.0, phases=16)
     assert found.mean.stiffness[1, 1] == pytest.approx(1.2220e8, rel=5e-4)
     assert found.least.stiffness[1, 1] == pytest.approx(1.1142e8, rel=1e-3)
@@ -98,7 +99,8 @@ def test_full_needs_the_fluid():
 
 
 def test_static_prints_it(capsys):
-    """--json includes the matrix at rest, which is null without a film."""
+    """The --json output includes the matrix for a bearing at standstill, which is null without a
+    film."""
     shape = ["static", "--load", "1500", "--axial", "2500", "--clearance", "20e-6", "--json"]
     assert main([*shape, "--rpm", "1910", "--lubricant", "mineral"]) == 0
     found = json.loads(capsys.readouterr().out)

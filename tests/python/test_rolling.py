@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rolling resistance of the 6208 at 2436 N and 0.04 Pa s: numbers, limits and closed-form
-solutions."""
+"""Rolling resistance of the 6208 at 2436 N and 0.04 Pa s is compared with published values, limits
+and closed-form solutions."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ FORCES = {INNER: [0.0271, 0.1529, 0.4344, 1.4692], OUTER: [0.0292, 0.1650, 0.469
 @pytest.mark.parametrize("side", [INNER, OUTER])
 @pytest.mark.parametrize("load", [50.0, 2436.0])
 def test_hydrodynamic(bearing, side, load):
-    """The force is within 0.6 % of eq 32, whose values at 2436 N are repeated here."""
+    """The force is within 0.6 % of eq 32; its values at 2436 N are repeated here."""
     given = 0.04, bearing.effective_modulus, *bearing.effective_radii(side)
     want = [reference.hydrodynamic_rolling(*given, speed, load) for speed in SPEEDS]
     assert rolling.hydrodynamic(*given, SPEEDS, load) == pytest.approx(want, rel=6e-3)
@@ -25,8 +25,8 @@ def test_hydrodynamic(bearing, side, load):
 
 
 def test_elastic_limit_of_the_reference():
-    """In the paper's example, b/a = 0.01, U2 = 1e-11 and W = 1e-5 give f/(E' R_x^2) = 10.9e-9;
-    exact integrals give 10.97e-9."""
+    """In the example of the cited paper, b/a = 0.01, U2 = 1e-11 and W = 1e-5 give
+    f/(E' R_x^2) = 10.9e-9; exact integrals give 10.97e-9."""
     # R_y/R_x for kappa = 100
     ratio = 1e3
     for _ in range(60):
@@ -62,7 +62,7 @@ def test_hysteresis(bearing):
     line = rolling.hysteresis(2436.2, b, 0.01)
     assert line == pytest.approx(1.1357e-3, abs=5e-8)
 
-    def strip(z):  # couple of a strip of the line contact, with the load and width there
+    def strip(z):  # couple on a strip of the line contact, from its load and width
         half = np.sqrt(1 - z**2)
         return rolling.hysteresis(0.75 * 2436.2 * half**2, b * half, 0.01)
 

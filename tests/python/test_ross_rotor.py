@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rotor of ROSS is converted to the file of a flexible shaft.
+"""A ROSS rotor is converted to the file of a flexible shaft.
 
-ROSS 2.3.0 wrote `ross_rotor.csv`, which contains the nonzero entries in the upper half of M0, K0
-and G0. The rotor is a steel shaft of eight elements, each 50 mm long and 40 mm in diameter, with
-DiskElement.from_geometry(4, steel, 0.02, 0.04, 0.2), and bearings with kxx 2e8 and kyy 3e8 at both
-ends.
+ROSS 2.3.0 wrote `ross_rotor.csv`, which contains the nonzero entries of the upper triangles of M0,
+K0 and G0. The rotor is a steel shaft of eight elements, each 50 mm long and 40 mm in diameter, with
+DiskElement.from_geometry(4, steel, 0.02, 0.04, 0.2), and with bearings with kxx 2e8 and kyy 3e8 at
+both ends.
 """
 
 import csv
@@ -21,16 +21,16 @@ from raceway.theory.beam import Section
 
 FILE = Path(__file__).parent / "ross_rotor.csv"
 Z = np.linspace(0.0, 0.4, 9)  # m
-SPRINGS = (2e8, 3e8)  # N/m, at both ends
-FREQUENCIES = {  # in Hz by ROSS, for a spin in rad/s: two pairs of bending modes
+SPRINGS = (2e8, 3e8)  # N/m, springs at both ends
+FREQUENCIES = {  # in Hz, from ROSS, for a spin in rad/s: two pairs of bending modes
     0.0: (265.2845, 267.7216, 1059.7397, 1078.9096),
     1000.0: (265.2594, 267.7468, 961.1215, 1186.4734),
 }
-SIX = np.delete(np.arange(54), np.arange(5, 54, 6))  # degrees of freedom of ROSS without rz
+SIX = np.delete(np.arange(54), np.arange(5, 54, 6))  # the degrees of freedom of ROSS except rz
 
 
 def of_ross():
-    """Return the keyword arguments of `rotor_matrices.rotor`."""
+    """Return keyword arguments for `rotor_matrices.rotor`."""
     found = {name: np.zeros((54, 54)) for name in "MKG"}
     with open(FILE) as file:
         for row in csv.DictReader(file):
@@ -60,8 +60,8 @@ def springs(count, ends, sizes=SPRINGS):
 
 @pytest.mark.parametrize("spin", FREQUENCIES)
 def test_its_matrices_are_ours(found, spin):
-    """The frequencies equal those of ROSS to the printed digits, which also verifies the sign of
-    the gyroscopic terms."""
+    """The frequencies equal those computed by ROSS to the printed digits. This also verifies the
+    sign of the gyroscopic terms."""
     held = springs(45, (0, 40), (*SPRINGS, 1e7))
     ours = beam_motion.frequencies(found.whole, held, spin) / (2 * np.pi)
     for want in FREQUENCIES[spin]:
@@ -71,7 +71,7 @@ def test_its_matrices_are_ours(found, spin):
 @pytest.mark.parametrize("spin", FREQUENCIES)
 def test_bending_pairs(found, spin):
     """The frequencies of the reduced rotor on its bearings agree within 1e-3 for the first pair and
-    5e-3 for the second."""
+    within 5e-3 for the second."""
     few = rotor_matrices.bending(found, (0.0, 0.4), modes=4)
     n, ends = len(few.mass) + 2, [int(np.argmin(np.abs(few.z - at))) for at in (0.0, 0.4)]
     mass = np.diag(np.tile([few.body.mass, few.body.transverse, *few.mass], 2))
@@ -90,7 +90,8 @@ def test_bending_pairs(found, spin):
 
 
 def test_four_degrees_of_freedom(found, given):
-    """Older matrices, in x, y, rx and ry, give the same lateral motion of the rotor."""
+    """Matrices of older versions, in x, y, rx and ry, result in the same lateral motion of the
+    rotor."""
     four = np.sort(np.concatenate([6 * np.arange(9) + k for k in (0, 1, 3, 4)]))
     for name in ("mass", "stiffness", "gyroscopic"):
         given[name] = given[name][np.ix_(four, four)]
@@ -101,8 +102,8 @@ def test_four_degrees_of_freedom(found, given):
 
 
 def test_a_station_between_nodes(given):
-    """Displacement and tilt at the station equal those of a beam with a node there, that is, of an
-    element with bending and shear."""
+    """Displacement and tilt at the station equal those of a beam with a node at the station, i.e.
+    of an element with bending and shear."""
     place, ends = 0.17, (0.0, 0.4)
     z, pieces = beam.divided([Section(0.4, 0.1)], Z)
     thick = beam_motion.matrices(z, pieces)
@@ -128,16 +129,16 @@ def test_a_station_between_nodes(given):
 
 
 def test_its_own_damping(given):
-    """Damping proportional to the stiffness damps every mode in the same proportion."""
+    """Damping that is proportional to the stiffness damps every mode in the same proportion."""
     rotor = rotor_matrices.rotor(**given, damping=2e-6 * given["stiffness"])
     few = rotor_matrices.bending(rotor, (0.0, 0.4), damping=0.01)
     want = 2e-6 * few.stiffness + 0.02 * np.sqrt(few.mass * few.stiffness)
     assert few.damping == pytest.approx(want, rel=1e-9)
 
 
-# ---- refused
+# ---- rejected
 def put(name, *entries):
-    """Change an entry (row, column, value) symmetrically."""
+    """Change an entry (row, column, value) and its mirror image in the matrix."""
 
     def change(given):
         for i, j, value in entries:
@@ -180,7 +181,7 @@ def test_refused(given, change, says):
 
 
 def test_damping_that_couples_modes(given):
-    """A damper between nodes that does not affect rigid-body motions couples modes."""
+    """A damper between nodes that does not affect rigid-body motions couples elastic modes."""
     second = np.zeros(54)
     second[[0, 24, 48]] = 1.0, -2.0, 1.0
     other = np.zeros(54)
@@ -207,7 +208,7 @@ def test_places_refused(found, kept, places, says):
 # ---- files
 @pytest.fixture(scope="module")
 def npz(tmp_path_factory):
-    """Write the file that the page describes."""
+    """Write the file described on the page, and return its path."""
     path, ross = tmp_path_factory.mktemp("ross") / "rotor.npz", of_ross()
     np.savez(path, M=ross["mass"], K=ross["stiffness"], G=ross["gyroscopic"], z=ross["z"])
     return path
@@ -221,7 +222,7 @@ def test_npz(npz, found, tmp_path, capsys):
     want = rotor_matrices.bending(found, (0.0, 0.4), places=[0.17])
     rows = [line.split() for line in file.read_text().splitlines()]
     stations = [[float(one) for one in row[1:]] for row in rows if row[0] == "station"]
-    assert [row[0] for row in stations] == [0.0, 0.17, 0.2, 0.4]  # the centre is among them
+    assert [row[0] for row in stations] == [0.0, 0.17, 0.2, 0.4]  # the centre is a station
     assert np.array_equal(np.array(stations)[:, 1:], want.shape.swapaxes(0, 1).reshape(4, -1))
     (stiffness,) = (row[1:] for row in rows if row[0] == "modal_stiffness")
     assert np.array_equal([float(one) for one in stiffness], want.stiffness)
@@ -233,7 +234,8 @@ def test_npz(npz, found, tmp_path, capsys):
 
 
 def test_toml(monkeypatch, tmp_path, given, capsys):
-    """A rotor saved by ROSS is read without its bearings, but their nodes are kept."""
+    """A rotor saved by ROSS is read without its bearings, but the nodes of the bearings are
+    kept."""
     rotor = types.SimpleNamespace(
         M0=given["mass"],
         K0=given["stiffness"],

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness and damping for rotor programs: axes, names, units and files, and their use in ROSS."""
+"""Tests of the stiffness and damping exported for rotor programs: axes, names, units, files, and
+their use in ROSS."""
 
 import csv
 import json
@@ -21,8 +22,9 @@ from raceway.units import prefixed
 B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 CASE = dict(axial=2500.0, clearance=20e-6, phases=1)
 OILED = dict(lubricant="vg46", temperature=70.0, models="paper", **CASE)
-# the first six natural frequencies in Hz of the rotor below at 6000 rpm, by ROSS 2.3.0 with the
-# exported arguments: with its BearingElement alone, and with the remaining terms added to K0
+# the first six natural frequencies in Hz of the rotor below at 6000 rpm, computed by ROSS 2.3.0
+# with the exported arguments: with its BearingElement only, and with the remaining terms added to
+# K0
 ROSS_HELD = (267.5332352, 267.852525, 677.395444, 1008.881426, 1152.218606, 2721.708329)
 ROSS_WHOLE = (273.4117005, 273.8277096, 675.3206635, 1012.398655, 1155.409870, 2639.294152)
 
@@ -40,7 +42,7 @@ def oiled():
 @pytest.fixture(scope="module")
 def shaft():
     """Return a shaft of ROSS's steel with eight elements, each 50 mm long and 40 mm in diameter,
-    and a disc 0.2 m in diameter in the middle."""
+    and with a disc of 0.2 m diameter in the middle."""
     steel = Steel(211e9, 211e9 / (2 * 81.2e9) - 1, 7810.0)
     z, pieces = beam.divided([Section(0.4, 0.04)], np.linspace(0.0, 0.4, 9))
     mass = 7810.0 * np.pi / 4 * (0.2**2 - 0.04**2) * 0.02
@@ -50,16 +52,16 @@ def shaft():
 
 
 def whirl(shaft, five):
-    """Return the natural frequencies in Hz at 6000 rpm, with the (5, 5) springs `five` at both
-    ends."""
+    """Return the natural frequencies in Hz at 6000 rpm, with springs given by the (5, 5) matrix
+    `five` at both ends."""
     springs = np.zeros_like(shaft.stiffness)
     springs[:5, :5], springs[-5:, -5:] = five, five
     return beam_motion.frequencies(shaft, springs, 200 * np.pi)[:6] / (2 * np.pi)
 
 
 def test_as_ross(shaft, point):
-    """Our beam whirls as in ROSS 2.3.0, both with the arguments alone and with the remaining
-    terms."""
+    """The natural frequencies of our beam equal those of ROSS 2.3.0, both with the arguments alone
+    and with the remaining terms added."""
     named, five = rotor.ross_of([point]), np.zeros((5, 5))
     for name in ("xx", "xy", "yx", "yy", "zz"):
         five["xyz".index(name[0]), "xyz".index(name[1])] = named["k" + name]
@@ -70,8 +72,8 @@ def test_as_ross(shaft, point):
 
 
 def test_arguments(point, oiled):
-    """One speed gives plain floats without a frequency; several speeds give lists, with the
-    frequency in rad/s."""
+    """A single speed gives plain floats without a frequency; several speeds give lists, together
+    with the frequency in rad/s."""
     one, many = rotor.ross_of([point]), rotor.ross_of(oiled)
     assert all(type(value) is float for value in one.values()) and "frequency" not in one
     assert set(many) == {*one, "frequency"}
@@ -85,7 +87,7 @@ def test_arguments(point, oiled):
 
 
 def test_free_tilts():
-    """Without moments the compliance is that of a ring with free tilts."""
+    """If no moments act, the compliance is that of a ring with free tilts."""
     here = rotor.points("6208", 1500.0, 0.0, axial=2500.0, phases=1, moment=(0.0, 0.0))[0]
     found, _ = rotor.translations(here, "free")
     step, loads = 10.0, np.eye(3) * 10.0
@@ -122,8 +124,8 @@ def test_add_rest(point):
 
 
 def test_element(monkeypatch, point):
-    """The element is made from the arguments. If ROSS is missing, the message contains the
-    installation command."""
+    """The element is created from the arguments. If ROSS is missing, the message contains the
+    command that installs it."""
     fake = types.ModuleType("ross")
     fake.BearingElement = lambda node, **named: (node, named)
     monkeypatch.setitem(sys.modules, "ross", fake)
@@ -199,7 +201,8 @@ def test_incomplete_lubricant(tmp_path, capsys):
 
 
 def test_smoothing_warns():
-    """ROSS would alter a damping that decreases steeply over a table of six speeds."""
+    """There is a warning that ROSS would alter damping that decreases steeply over a table of six
+    speeds."""
     mean = static.equilibrium(B6208, 1500.0, 2500.0).stiffness
     both = [Response(mean, np.eye(5) * damping) for damping in (9.0, 4.0, 1.0, 0.5, 0.3, 0.2)]
     table = [

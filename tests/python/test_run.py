@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The run folder: settings as text and numbers, its samples as tables, and messages for a damaged
-folder."""
+"""The run folder: settings are read as text and numbers, samples as tables, and a damaged folder
+causes a message."""
 
 import numpy as np
 import pandas as pd
@@ -14,7 +14,7 @@ from synthetic import spoil
 
 def test_settings(folder, lubricated):
     run = RunTables(folder)
-    assert run.settings["bearing"] == "6208"  # a name that looks like a number
+    assert run.settings["bearing"] == "6208"  # the name looks like a number
     assert run.settings["clearance_m"] == 1e-5
     assert run.lubricated and run.finished
     told = lubricated["settings"]
@@ -130,14 +130,14 @@ def test_contacts(folder, lubricated):
 
 
 def test_balls(folder, lubricated):
-    """Positions and velocities of balls, cage balls and rings are read bitwise."""
+    """Positions and velocities of balls, cage balls and rings are read bitwise identically."""
     rows = RunTables(folder).balls.sort_values(["sample", "id"])
     expected = [sorted(frame) for frame in lubricated["balls"]]
     assert np.array_equal(rows[synthetic.BALL_COLUMNS].to_numpy(), np.concatenate(expected))
 
 
 def test_azimuth_counts_from_the_load_line(folder):
-    run = RunTables(folder)  # loaded towards -90 degrees
+    run = RunTables(folder)  # the load points to -90 degrees
     assert run.from_load_line(np.array([-np.pi / 2, 0, np.pi - 0.1])) == pytest.approx(
         [0, np.pi / 2, -np.pi / 2 - 0.1]
     )
@@ -156,7 +156,8 @@ def test_pair_needs_both_raceways(tmp_path, lubricated):
 
 
 def test_pairs_are_in_series(folder):
-    """The sum over the balls equals the bearing's capacitance in the record."""
+    """The capacitance of the bearing in the record equals the sum over its balls, each of which is
+    a pair of capacitors in series."""
     run = RunTables(folder)
     total = run.pairs.groupby("sample")["capacitance"].sum()
     np.testing.assert_allclose(total, run.bearing_capacitance, rtol=1e-13)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rates and the filter of a sensor, for signals with a known response."""
+"""The sampling rates and the filter of a sensor are tested with signals whose response is known."""
 
 import numpy as np
 import pytest
@@ -13,8 +13,8 @@ TIME = np.arange(38400) / RATE
 
 @pytest.mark.parametrize("rate", [12e3, 25.6e3, 48e3, 96e3])
 def test_passes_what_the_rate_holds(rate):
-    """Amplitude and phase are preserved to 1e-4, and components that would alias are 80 dB
-    lower."""
+    """Amplitude and phase are preserved to 1e-4, and components that would alias are attenuated by
+    80 dB."""
     inside = slice(60, -60)
     for share in (0.02, 0.2, 0.4):
         kept = sensor.decimated(np.sin(2 * np.pi * share * rate * TIME), 1 / RATE, rate)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settling (settling.h): the change of the means from one half of the last samples to the next."""
+"""Settling (settling.h) is the change of the means from one half of the last samples to the
+next."""
 
 import numpy as np
 import pytest
@@ -7,9 +8,9 @@ from raceway.core import library
 
 
 def scene(halves=3, half=40, balls=7, drift=0.0, turn=0.0, seed=1):
-    """Return the samples of `halves` ball passes: a ripple at the ball pass frequency, torque and
-    loads that grow by `drift`, and spin axes that pitch by `turn` (rad) from each pass to the
-    next."""
+    """Return the samples of `halves` ball passes. They have a ripple at the ball pass frequency,
+    torque and loads that grow by `drift` from each pass to the next, and spin axes that pitch by
+    `turn` (rad) from each pass to the next."""
     numbers = np.random.default_rng(seed)
     n = np.arange(halves * half)
     growth = (1 + drift) ** (n // half)
@@ -43,7 +44,7 @@ def test_a_settled_bearing_with_ripple_does_not_change():
 def test_changes_are_those_of_the_last_two_halves(drift):
     found = library().call("settling", **scene(drift=drift, turn=0.01))
     assert found.torque == pytest.approx(abs(drift) / (1 + drift), rel=1e-9)
-    # the larger of two changes
+    # the larger of the two changes
     assert found.load == pytest.approx(abs(drift) / (1 + drift), rel=1e-9)
     assert found.cage_speed == pytest.approx(abs(1 - (1 + drift) ** -2), rel=1e-9)
     assert found.spin_axis == pytest.approx(2 * np.sin(0.005), rel=1e-9)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Shafts on bearings are compared with closed-form solutions for beams and with statics of one
-bearing."""
+"""Shafts on bearings are compared with closed-form solutions for beams and with the statics of a
+single bearing."""
 
 import json
 
@@ -23,14 +23,14 @@ MOTOR = ROOT / "inputs/shafts/motor"
 
 
 def clamped(pieces, loads):
-    """Return the positions (N, 5) of a beam whose first node is held."""
+    """Return the positions (N, 5) of a beam whose first node is clamped."""
     whole = beam.stiffness(pieces)[5:, 5:]
     return np.linalg.solve(whole, loads[5:]).reshape(-1, 5)
 
 
 @pytest.mark.parametrize("number", [1, 3])
 def test_cantilever(number):
-    """The deflection is F L^3/3EI + F L/kAG and the slope F L^2/2EI, for any number of elements."""
+    """The deflection is F L^3/3EI + F L/kAG and the slope F L^2/2EI for any number of elements."""
     pieces = [THIN._replace(length=0.3 / number)] * number
     loads = np.zeros(5 * (number + 1))
     loads[-5:-2] = 700.0, -300.0, 5000.0
@@ -43,8 +43,8 @@ def test_cantilever(number):
 
 
 def test_own_weight():
-    """With the end moments of a uniform load, the deflection w L^4/8EI + w L^2/2kAG is exact at the
-    nodes."""
+    """If the end moments of a uniform load are included, the deflection w L^4/8EI + w L^2/2kAG is
+    exact at the nodes."""
     pieces = [THIN._replace(length=0.15)] * 2
     end = clamped(pieces, beam.weight(pieces, [0.0, -9.81, 0.0]))[-1]
     w = 9.81 * STEEL.density * beam.area(THIN)
@@ -53,8 +53,8 @@ def test_own_weight():
 
 
 def test_rigid_motions_cost_nothing():
-    """A displacement and a small rotation about x and y need no energy, compared with the bending
-    energy."""
+    """The energy of a displacement and of a small rotation about x and y is zero compared with the
+    bending energy."""
     z, pieces = beam.divided([THIN, Section(0.1, 0.02, 0.01)], [0.05])
     whole = beam.stiffness(pieces)
     moves = np.zeros((5, len(z), 5))
@@ -68,8 +68,8 @@ def test_rigid_motions_cost_nothing():
 
 @pytest.mark.parametrize("clearance", [-10e-6, 0.0, 10e-6])
 def test_lever_rule(clearance):
-    """A shaft 0.2 m thick is rigid compared with its bearings, so the lever rule gives their
-    loads."""
+    """A shaft 0.2 m thick is rigid compared with its bearings, so the loads on the bearings follow
+    the lever rule."""
     seats = [Seat(0.1, B6208, clearance), Seat(0.4, B6208, clearance, floating=True)]
     found = shaft.rest(Shaft([Section(0.5, 0.2)]), seats, [Load(0.2, (600.0, -3000.0, 0.0))])
     shares = np.array([one.load[:2] for one in found.bearings])
@@ -77,17 +77,17 @@ def test_lever_rule(clearance):
 
 
 def test_simply_supported():
-    """If the bearings tilt freely, the deflection between them is F L^3/48EI + F L/4kAG and the
-    slope F L^2/16EI."""
+    """If the bearings can tilt freely, the deflection between them is F L^3/48EI + F L/4kAG and the
+    slope is F L^2/16EI."""
     seats = [Seat(0.0, B6208, 20e-6), Seat(0.3, B6208, 20e-6, floating=True)]
     found = shaft.rest(Shaft([THIN]), seats, [Load(0.15, (0.0, -3000.0, 0.0))])
     assert found.z == pytest.approx([0, 0.15, 0.3])
     down = found.place[:, 1]
     bend = 3000 * 0.3**3 / (48 * BENDING) + 3000 * 0.3 / (4 * SHEAR)
-    held = abs(found.bearings[0].load[3]) / (3000 * 0.3 / 8)  # as a share of the clamped-end moment
+    held = abs(found.bearings[0].load[3]) / (3000 * 0.3 / 8)  # fraction of clamped-end moment
     assert held < 2e-3
     assert (down[0] + down[2]) / 2 - down[1] == pytest.approx(bend, rel=1e-3 + held)
-    # clamped ends would suppress the slope entirely
+    # with clamped ends the slope would be zero
     assert found.place[0, 3] == pytest.approx(3000 * 0.3**2 / (16 * BENDING), rel=1e-3 + 2 * held)
 
 
@@ -98,13 +98,13 @@ def test_a_bearing_stiffens_its_own_slope():
         found = shaft.rest(Shaft([THIN]), seats, [Load(0.15, (0.0, -3000.0, 0.0))])
         slope.append(abs(found.place[0, 3]))
         turned = found.bearings[0].load[3] * found.place[0, 3]
-        assert turned > 0  # the shaft tilts the bearing: work is done on it
+        assert turned > 0  # the shaft tilts the bearing and does work on it
     assert slope[1] < slope[0]
 
 
 def test_everything_balances():
-    """The forces of loads, gravity and bearings balance, and so do their moments about the
-    origin."""
+    """The forces of the loads, of gravity and of the bearings balance, and so do their moments
+    about the origin."""
     sections = [Section(0.2, 0.05), Section(0.3, 0.03, 0.01)]
     seats = [
         Seat(0.05, B6208, 5e-6),
@@ -131,8 +131,8 @@ def test_everything_balances():
 
 
 def test_one_bearing_is_its_statics():
-    """A short stiff shaft on a tilted seat, with all loads in the plane of the balls, has the
-    statics of its bearing."""
+    """A short stiff shaft on a tilted seat, with all loads in the plane of the balls, gives the
+    same results as the statics of its bearing."""
     tilt = 5e-4
     seat = Seat(0.05, B6208, 10e-6, offset=(0.0, 0.0, 0.0, tilt, 0.0))
     short = Shaft([Section(0.1, 0.3)])
@@ -145,7 +145,7 @@ def test_one_bearing_is_its_statics():
 
 
 def test_preload_by_a_spacer():
-    """Two bearings that are preloaded against each other through their outer rings carry each
+    """Two bearings that are preloaded against each other through their outer rings support each
     other's axial load."""
     seats = [
         Seat(0.1, B6208, 20e-6, offset=(0, 0, -120e-6, 0, 0)),
@@ -158,7 +158,7 @@ def test_preload_by_a_spacer():
 
 @pytest.mark.parametrize("push", [-300.0, 300.0])
 def test_preload_by_a_spring(push):
-    """The force of the spring passes through both bearings, and the sliding bearing is in
+    """The force of the spring is transmitted through both bearings, and the sliding bearing is in
     equilibrium under its load."""
     seats = [Seat(0.1, B6208, 20e-6), Seat(0.3, B6208, 20e-6, spring=push)]
     found = shaft.rest(Shaft([Section(0.4, 0.2)]), seats, [Load(0.2, (0.0, -1.0, 0.0))])
@@ -166,7 +166,7 @@ def test_preload_by_a_spring(push):
     alone = static.equilibrium(B6208, 0.0, -push, clearance=20e-6)
     state = found.bearings[1].state
     assert state.inner.load.max() == pytest.approx(alone.inner.load.max(), rel=5e-3)
-    # no other load is needed
+    # the shaft needs no other load
     assert shaft.rest(Shaft([Section(0.4, 0.2)]), seats, []).residual <= shaft.EXACT
 
 
@@ -189,7 +189,8 @@ def test_command(capsys, tmp_path):
     found = json.loads(capsys.readouterr().out)
     first, second = found["bearings"]
     assert first["load_z_N"] == 0.0 and second["load_z_N"] == pytest.approx(400.0, rel=1e-6)
-    # moments about the second bearing: levers are 0.06 m (belt) and 0.3 m; tilts take 9 N m
+    # moments about the second bearing: the levers are 0.06 m (belt) and 0.3 m; tilts account for 9
+    # N m
     held = first["moment_y_N_m"] + second["moment_y_N_m"]
     assert first["load_x_N"] == pytest.approx((held - 1500 * 0.06) / 0.3, rel=1e-6)
     assert second["life_reference_h"] > 0 and second["tilt_rad"] < 1e-3
@@ -200,8 +201,8 @@ def test_command(capsys, tmp_path):
 
 
 def test_several_speeds(capsys):
-    """Each entry equals the result for the shaft at that speed alone; results smaller than the
-    accuracy of the equilibrium are 0."""
+    """Each entry equals the result of a run at that speed alone; results below the accuracy of the
+    equilibrium are 0."""
     speeds = ["1500", "9000"]
     assert main(["shaft", str(MOTOR), "--rpm", *speeds, "--json"]) == 0
     both = json.loads(capsys.readouterr().out)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A shaft as a rigid body with elastic modes is compared with the beam with all its nodes, and its
-file is tested."""
+"""A shaft described as a rigid body with elastic modes is compared with the beam with all its
+nodes, and its file is tested."""
 
 from pathlib import Path
 
@@ -12,12 +12,12 @@ from raceway.theory.beam import Disc, Section
 
 MOTOR = Path(__file__).parents[2] / "inputs/shafts/motor"
 RINGS = (0.05, 0.35)  # m
-SPRINGS = np.diag([2e8, 3e8, 1e7, 4e3, 3e3])  # N/m and N m/rad, of a bearing
+SPRINGS = np.diag([2e8, 3e8, 1e7, 4e3, 3e3])  # N/m and N m/rad, stiffness of a bearing
 
 
 @pytest.fixture(scope="module")
 def rotor():
-    """Return (z, matrices) of a shaft with an overhang and a disc away from its middle."""
+    """Return (z, matrices) of a shaft with an overhang and with a disc away from its middle."""
     z, pieces = beam.divided([Section(0.4, 0.03), Section(0.1, 0.02)], np.linspace(0, 0.5, 41))
     return z, beam_motion.matrices(z, pieces, [Disc(0.15, 4.0, 0.02, 0.011)])
 
@@ -33,8 +33,8 @@ def reduced(rotor, modes, kept=RINGS):
 
 
 def motions(found, place):
-    """Return the matrix (4, 2 (2 + n)) from x, slope and modes in one plane, then in the other
-    plane, to x, y, rx and ry at a position."""
+    """Return the matrix (4, 2 (2 + n)) that maps x, slope and modes in one plane, followed by those
+    in the other plane, to x, y, rx and ry at a position."""
     k = node(found.z, place)
     plane = np.array(
         [
@@ -54,7 +54,8 @@ def motions(found, place):
 
 
 def system(found):
-    """Return the matrices in the coordinates of `motions`, and the springs of the bearings."""
+    """Return the matrices in the coordinates of `motions`, including the springs of the
+    bearings."""
     body = found.body
     mass = np.diag(np.tile([body.mass, body.transverse, *found.mass], 2))
     stiffness = np.diag(np.tile([0.0, 0.0, *found.stiffness], 2))
@@ -76,15 +77,15 @@ def on_springs(z, count):
 
 @pytest.mark.parametrize("spin", [0.0, 1000.0])
 def test_bending_pairs(rotor, spin):
-    """The first pair is within 1e-3 of that of the whole beam, the second within 5e-3, including
-    the splitting by spin."""
+    """The first pair of frequencies is within 1e-3 of that of the whole beam, and the second within
+    5e-3. This includes the splitting by spin."""
     z, whole = rotor
     exact = beam_motion.frequencies(whole, on_springs(z, 5 * len(z)), spin)
     found = beam_motion.frequencies(*system(reduced(rotor, 4)), spin)
     error = [np.abs(exact / one - 1).min() for one in found[:4]]
     assert max(error[:2]) < 1e-3 and max(error[2:]) < 5e-3
     if spin:
-        assert found[1] / found[0] > 1.02 and found[3] / found[2] > 1.02  # far enough apart
+        assert found[1] / found[0] > 1.02 and found[3] / found[2] > 1.02  # splitting is significant
 
 
 def test_more_modes_are_closer(rotor):
@@ -131,7 +132,8 @@ def test_steady_loads_at_kept_places(rotor):
 
 # ---- the file
 def test_file(tmp_path, capsys):
-    """The file has all keywords, numbers to the last digit, and the positions of its stations."""
+    """The file contains all keywords, numbers to the last digit, and the positions of its
+    stations."""
     file = tmp_path / "motor.modes"
     words = ["--modes", "3", "--damping", "0.02", "--places", "0.27", "--kept", "0.1"]
     assert main(["shaft", str(MOTOR), "--reduced", str(file), *words]) == 0
@@ -149,7 +151,7 @@ def test_file(tmp_path, capsys):
             rows.setdefault(name, []).append([float(one) for one in numbers])
     assert rows["mass"] == [[want.body.mass]] and rows["centre"] == [[want.body.centre]]
     assert rows["inertia"] == [[want.body.axial, want.body.transverse]]
-    assert rows["modes"] == [[9]]  # bearings, a load, 0.1 m, and three modes
+    assert rows["modes"] == [[9]]  # for the bearings, a load, 0.1 m, and three modes
     assert np.array_equal(rows["modal_mass"][0], want.mass)
     assert np.array_equal(rows["modal_stiffness"][0], want.stiffness)
     ratio = want.damping / (2 * np.sqrt(want.mass * want.stiffness))

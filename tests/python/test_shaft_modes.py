@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Names of the motions of a shaft, and critical speeds compared with natural frequencies."""
+"""The motions of a shaft are named correctly, and critical speeds agree with natural
+frequencies."""
 
 import numpy as np
 import pytest
@@ -16,8 +17,8 @@ B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 
 @pytest.fixture(scope="module")
 def rotor():
-    """Return a shaft with a heavy disc at its overhung end, on preloaded bearings that are equal in
-    both planes."""
+    """Return a shaft with a heavy disc at its overhung end, on preloaded bearings that are equally
+    stiff in both planes."""
     whole = Shaft([Section(0.5, 0.04)], discs=[Disc(0.5, 4.0, 0.04, 0.02)])
     seats = [Seat(0.0, B6208), Seat(0.3, B6208, spring=-800.0)]
     return whole, shaft.rest(whole, seats, [Load(0.1, (0.0, 0.0, 1.0))])
@@ -34,7 +35,7 @@ def test_a_critical_speed_is_a_natural_frequency_at_that_speed(rotor):
 @pytest.mark.parametrize("speed", [0.0, 1000.0])
 def test_modes_have_the_natural_frequencies(rotor, speed):
     found = [one.speed for one in shaft_modes.modes(*rotor, speed)]
-    # for an axial motion without stiffness only rounding is left
+    # an axial motion without stiffness has a frequency of zero, except for rounding
     assert found == pytest.approx(shaft_motion.frequencies(*rotor, speed), rel=1e-6, abs=1.0)
 
 
@@ -49,7 +50,8 @@ def test_forward_whirl_rises_with_the_speed_and_backward_whirl_falls(rotor):
 
 
 def test_shapes():
-    """A stiff shaft first moves as a rigid body, also along its axis; in higher modes it bends."""
+    """In its lowest modes, a stiff shaft moves as a rigid body, also along its axis; in higher
+    modes it bends."""
     whole = Shaft([Section(0.4, 0.06)])
     seats = [Seat(0.05, B6208), Seat(0.35, B6208, spring=-300.0)]
     names = [one.shape for one in shaft_modes.modes(whole, shaft.rest(whole, seats, []), 0.0)]
@@ -59,11 +61,12 @@ def test_shapes():
 
 
 def shaft_share(ratio):
-    """Return the fraction of the shaft in the strain energy of the lowest symmetric mode of a
-    uniform Euler-Bernoulli beam on a spring k at each end; `ratio` is k L^3/(E I).
+    """Return the fraction of the strain energy that is stored in the shaft, for the lowest
+    symmetric mode of a uniform Euler-Bernoulli beam on a spring k at each end; `ratio` is k L^3/(E
+    I).
 
-    y = cosh(b) cos(b s) + cos(b) cosh(b s), s = -1 ... 1, has no moment at its ends; b follows from
-    the shear force there, which is the force of the spring.
+    The function y = cosh(b) cos(b s) + cos(b) cosh(b s), s = -1 ... 1, has no moment at its ends.
+    The shear force at the ends equals the force of the spring, which determines b.
     """
 
     def shear(b):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Balls in contact with the outer ring only: unloaded times, and rotation compared with closed-form
-solutions."""
+"""For balls in contact with the outer ring only, unloaded times are tested, and the rotation is
+compared with closed-form solutions."""
 
 import numpy as np
 import pytest
@@ -35,8 +35,8 @@ def test_turned_mirrored_and_two_rows():
 
 
 def test_rotation():
-    """Rotation under a constant excess moment, under a moment that falls until the rotation is
-    steady, and with sufficient traction."""
+    """The cases are a constant excess moment, a moment that decreases until the rotation is steady,
+    and sufficient traction."""
     time, rate = np.array([0.0, 0.3, 1.0, 9.0, np.inf]), np.full(5, 2.0)
     found = skidding.rotation(lambda x: 0.2 + 0 * x, rate, time)
     assert found == pytest.approx(np.clip(1 - 0.4 * time, 0, 1), abs=1e-12)

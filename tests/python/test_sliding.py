@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Differential slip, spin and traction: numbers, quadrature and limits."""
+"""Differential slip, spin and traction are compared with published values, quadrature and
+limits."""
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ LOAD, FRICTION, SPEED = 2436.2, 0.05, 0.724764
 
 
 def contact(bearing, side=INNER):
-    """Return (a, b, R_d, R_x)."""
+    """Return (a, b, R_d, R_x) of the contact at 2436 N."""
     r_x, r_y = bearing.effective_radii(side)
     a, b = hertz.semi_axes(hertz.exact(r_x, r_y), bearing.effective_modulus, LOAD)
     return a, b, sliding.deformed_radius(bearing.groove(side), bearing.ball_radius), r_x
@@ -29,7 +30,7 @@ def test_free_rolling(bearing):
         assert sliding.free_power(LOAD, FRICTION, SPEED, a, r_d, r_x) == pytest.approx(
             power, abs=5e-6
         )
-        # the printed numbers use the rounded slope 3.80, the formula the exact slope
+        # the printed values use the rounded slope of 3.80, the formula the exact slope
         assert a**2 / (7.60 * r_d * r_x) == pytest.approx(creep, abs=5e-6)
         assert sliding.creep(a, r_d, r_x) == pytest.approx(creep, rel=6e-4)
         free = sliding.free_slip(SPEED, a, r_d, r_x)
@@ -92,7 +93,7 @@ def test_limits(bearing):
     slip = np.linspace(-edge, 2 * edge, 1001)
     found = sliding.heathcote(slip, *arguments)
     assert np.all(np.diff(found.force) >= 0) and np.all(found.power > 0)
-    # at rest the edge slip s_e is `LEAST`, not zero: the force is continuous
+    # at rest the edge slip s_e is `LEAST` instead of zero, so the force is continuous
     rest = sliding.heathcote(np.array([-1e-9, 0.0, 1e-9]), LOAD, FRICTION, 0.0, a, r_d, r_x)
     assert np.abs(np.diff(rest.force)).max() < 0.02 * FRICTION * LOAD
 
@@ -102,7 +103,8 @@ def test_spring_in_series():
     tau = secant / spring
     steady = secant * distance
     assert tau == pytest.approx(6e-5, rel=0.02)
-    # a short step gives the spring, a long step the slip law, and two half steps equal one step
+    # a short step gives the spring force, a long step the slip law, and two half steps equal one
+    # step
     force, slope = sliding.in_series(0.0, distance, secant, spring, 1e-9)
     assert force == pytest.approx(spring * distance * 1e-9, rel=1e-4)
     assert slope == pytest.approx(spring * 1e-9, rel=1e-4)
@@ -172,8 +174,8 @@ def test_bair_winer():
 @pytest.mark.parametrize(("speed", "h_c", "slide_roll"), [(0.0725, 32e-9, 0.08),
                                                           (14.4946, 1309e-9, 0.016)])  # fmt: skip
 def test_slide_roll_where_eyring_reaches_coulomb(bearing, speed, h_c, slide_roll):
-    """At about this slide-roll ratio Eyring's tau alone, with Roelands' viscosity at the mean
-    pressure p, is 0.05 p."""
+    """At about this slide-roll ratio, the stress tau by Eyring alone, with Roelands' viscosity at
+    the mean pressure p, is 0.05 p."""
     r_x, r_y = bearing.effective_radii(INNER)
     pressure = 2 / 3 * hertz.pressure(hertz.exact(r_x, r_y), bearing.effective_modulus, LOAD)
     eta = lubricant.roelands(0.04, 22e-9, pressure)
@@ -189,9 +191,9 @@ def test_mixed():
 
 @pytest.mark.parametrize("speed", [0.0724764, 0.724764, 2.899, 14.4946])
 def test_one_speed_for_the_film(bearing, speed):
-    """The power of free rolling under Eyring's law, with one coefficient at the mean speed, is
-    within 3 % of the quadrature at 0.04 Pa s, and within 10 % in a hot oil far from its limiting
-    stress."""
+    """The power dissipated in free rolling under Eyring's law, with one traction coefficient at the
+    mean speed, is within 3 % of the quadrature at 0.04 Pa s, and within 10 % for a hot oil that is
+    far from its limiting stress."""
     a, b, r_d, r_x = contact(bearing)
     edge = sliding.edge_slip(speed, a, r_d, r_x)
     peak = 1.5 * LOAD / (np.pi * a * b)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spall lengths: closed-form solutions for the flight of the ball, and entry and impact in
-synthetic signals for a known length."""
+"""Tests of spall lengths: closed-form solutions for the flight of the ball, and detection of entry
+and impact in synthetic signals of known length."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ from raceway.theory.bearing import INNER, OUTER
 SPIN, LOAD = 1500 * np.pi / 30, 2000.0
 SAMPLE, PERIOD = 5e-6, 11.2e-3  # s
 ROLLING = 7.6e-3  # m
-HEAVY = 1e6  # kg, so heavy that the ring does not follow the ball
+HEAVY = 1e6  # kg, heavy enough that the ring does not follow the ball
 
 
 @pytest.mark.parametrize("raceway", [INNER, OUTER])
@@ -25,8 +25,9 @@ def test_a_ball_that_keeps_its_load_strikes_half_way(bearing, raceway):
 
 @pytest.mark.parametrize("raceway", [INNER, OUTER])
 def test_a_rounded_edge_is_heard_sooner(bearing, raceway):
-    """A ball that keeps its load begins to rise half-way, earlier by the edge radius. A ball that
-    has lost its load flies to the far flank, whose position does not depend on the rounding."""
+    """A ball that keeps its load begins to rise half-way, earlier by the radius of the edge. A ball
+    that has lost its load flies to the far flank, and the position of the flank does not depend on
+    the rounding."""
     edge, both = 5e-5, np.array([0.5e-3, 2.5e-3])
     sharp, rounded = (
         spall.seconds_to_blow(bearing, raceway, both, SPIN, LOAD, 0.2, edge=one)
@@ -42,8 +43,8 @@ def test_a_rounded_edge_is_heard_sooner(bearing, raceway):
 @pytest.mark.parametrize("raceway", [INNER, OUTER])
 def test_flight_of_a_ball_that_loses_its_load(bearing, raceway):
     """If the ring does not follow, and the ball is light enough to be in equilibrium until it
-    leaves the raceway, it leaves at its fraction of the drop rate; the centrifugal load curves its
-    path."""
+    leaves the raceway, its vertical speed as it leaves is its fraction of the drop rate; the
+    centrifugal load curves its path."""
     orbit = SPIN * kinematics.frequencies(bearing).cage
     rest = static.equilibrium(bearing, LOAD, orbital_speed=orbit)
     approach = rest.inner.overlap[0] + rest.outer.overlap[0]
@@ -51,9 +52,9 @@ def test_flight_of_a_ball_that_loses_its_load(bearing, raceway):
     soft = [
         hertz.stiffness(hertz.exact(*one), bearing.effective_modulus) ** (-2 / 3) for one in radii
     ]
-    share = soft[1 - raceway] / sum(soft)  # share of the drop recovered at the other contact
+    share = soft[1 - raceway] / sum(soft)  # fraction of the drop recovered there
     rolling, speed = radii[raceway][0], kinematics.entrainment(bearing, SPIN)
-    lost = np.sqrt(2 * rolling * approach)  # m from the entry
+    lost = np.sqrt(2 * rolling * approach)  # m, measured from the entry
     on = np.linspace(1.3, 2.5, 5) * lost
     curve = (1 if raceway == OUTER else -1) * bearing.pitch_radius * (orbit / speed) ** 2
     drop = approach + share * lost / rolling * (on - lost) + 0.5 * curve * (on - lost) ** 2
@@ -95,8 +96,8 @@ def test_times_of_no_spall(bearing):
 
 
 def path(length, speed=2.3, periods=6):
-    """Return (seconds, drop of a rigid ball's centre in m) over a spall with sharp edges, once per
-    period."""
+    """Return (time in s, drop of the centre of a rigid ball in m) for a spall with sharp edges that
+    is passed once per period."""
     time = np.arange(int(periods * PERIOD / SAMPLE)) * SAMPLE
     way = speed * ((time - 0.123 * PERIOD) % PERIOD - 0.5 * PERIOD)
     return time, np.maximum(0.5 * length - np.abs(way), 0.0) ** 2 / (2 * ROLLING)
@@ -105,8 +106,8 @@ def path(length, speed=2.3, periods=6):
 @pytest.mark.parametrize("length", [0.5e-3, 1e-3, 2e-3])
 @pytest.mark.parametrize("noise", [0.0, 2e-4])
 def test_known_length(length, noise):
-    """With sharp edges and noise of 2e-4 of the drop the length is found within 1 % plus half a
-    sample at the impact."""
+    """With sharp edges and noise of 2e-4 of the drop, the length is found within 1 % plus half the
+    distance that corresponds to a sample at the impact."""
     _, drop = path(length)
     random = np.random.default_rng(1)
     values = 3.0 - drop / drop.max() + noise * random.normal(size=len(drop))
@@ -119,7 +120,7 @@ def test_known_length(length, noise):
 
 @pytest.mark.parametrize("share, error", [(0.5, 0.04), (0.2, 0.02)])
 def test_a_housing_that_rings(share, error):
-    """The drop acts as a force on a mass on a spring, 4 kHz with 4 % damping, which distorts the
+    """The drop acts as a force on a mass on a spring (4 kHz, 4 % damping), which distorts the
     square root."""
     from scipy import signal
 

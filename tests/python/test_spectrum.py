@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spectra of signals with known lines, and the lines of a run folder."""
+"""Spectra are computed for signals with known lines, and lines are found in a run folder."""
 
 import json
 import re
@@ -23,8 +23,8 @@ def wave(frequency, amplitude=1.0, samples=4000, phase=0.3):
 
 @pytest.mark.parametrize("frequency", [17.3, 100.0, 100.06, 100.125, 333.33])
 def test_a_sine(frequency):
-    """A sine may lie anywhere between two bins of 0.25 Hz. The parabola has errors of 1e-3 of a bin
-    in position and 3e-4 in height."""
+    """The frequency of a sine may lie anywhere between two bins of 0.25 Hz. The parabola has an
+    error of 1e-3 bins in position and of 3e-4 in height."""
     one = spectrum.spectrum(5.0 + 0.1 * np.arange(4000) * SAMPLE + wave(frequency, 2.0), SAMPLE)
     assert one.attrs["resolution"] == pytest.approx(0.25)
     found, difference, height, prominence, note = spectrum.find(one, frequency * 1.001)
@@ -35,8 +35,9 @@ def test_a_sine(frequency):
 
 
 def test_a_faint_line_beside_a_strong_one():
-    """A line has 5e-4 of the height of another line, 12 bins away. The side lobes there, 2.5e-5,
-    are 5 % of the faint line and shift it by 0.05 to 0.1 bins."""
+    """A line has 5e-4 of the height of another line that is 12 bins away. The side lobes of the
+    strong line, 2.5e-5 of its height, are 5 % of the faint line there, and shift it by 0.05 to 0.1
+    bins."""
     one = spectrum.spectrum(wave(100.0) + wave(103.0, 5e-4), SAMPLE)
     assert spectrum.find(one, 103.0)[0] == pytest.approx(103.0, abs=0.1 * 0.25)
     assert spectrum.find(spectrum.spectrum(wave(100.0), SAMPLE), 103.0)[-1] != ""
@@ -76,7 +77,7 @@ def test_no_signal(values):
 
 
 def write(tmp_path, lubricated, orders, passes=60, samples_per_pass=24):
-    """Write a run whose ring moves along the load, with amplitudes {order of the shaft: m}."""
+    """Write a run whose ring moves along the load, with amplitudes given as {shaft order: m}."""
     settings = lubricated["settings"]
     samples, shaft = passes * samples_per_pass, 477.5 / 60
     time = np.arange(1, samples + 1) * settings["sample_s"]
@@ -114,9 +115,9 @@ def test_lines_of_a_run(tmp_path, lubricated, bearing):
     for key, line in found.items():
         if key in expected:
             difference, amplitude = expected[key]
-            # 1e-3 of a bin (1/60 of the ball pass frequency), relative to at least 3.5 shaft orders
+            # 1e-3 of a bin (1/60 of the ball pass frequency), relative to an order of at least 3.5
             assert line.difference == pytest.approx(difference, abs=2e-5) and line.note == ""
-            # leakage of the strong lines is 2.5e-5 of 4e-7
+            # the leakage of the strong lines is 2.5e-5 of 4e-7
             assert line.amplitude == pytest.approx(amplitude, rel=1e-2)
             assert line.found == pytest.approx(line.expected * (1 + line.difference), rel=1e-12)
             assert line.by_cage == pytest.approx(line.order * 477.5 / 60, rel=1e-15)
@@ -125,8 +126,8 @@ def test_lines_of_a_run(tmp_path, lubricated, bearing):
 
 
 def test_a_line_is_not_taken_for_its_neighbour(tmp_path, lubricated, bearing):
-    """BPFO x3 and BPFI x2 of a 6208 are 1.7 % apart; a search of that width must not mistake one
-    for the other."""
+    """BPFO x3 and BPFI x2 of a 6208 are 1.7 % apart; a search range of this width must not mistake
+    one for the other."""
     run = raceway.open(
         write(tmp_path, lubricated, {3 * kinematics.frequencies(bearing).outer: 4e-7})
     )
@@ -178,7 +179,7 @@ def test_command(tmp_path, lubricated, bearing, capsys):
         row[0] == "BPFO"
         and row[1] == "3.5644"
         and row[6] == "-0.0400%"
-        and row[7:] == ["400", "nm", "-0.0400%"]  # the balls of this run roll without slip
+        and row[7:] == ["400", "nm", "-0.0400%"]  # in this run the balls roll without slip
     )
     assert (tmp_path / "x.png").read_bytes()[:4] == b"\x89PNG" and (
         tmp_path / "x.png"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The exported element gives the voltages and currents of the network in ngspice."""
+"""In ngspice, the exported element gives the same voltages and currents as the network."""
 
 import ngspice
 import numpy as np
@@ -15,7 +15,7 @@ from raceway.electric.waveforms import CommonMode, Sine, Table
 
 OPTIONS = ".options reltol=1e-6 abstol=1e-19 vntol=1e-9 chgtol=1e-19\n"
 WITHIN = 1e-3
-TAU = np.array([4e-3, 7e-3]).reshape(1, 2, 1)  # s, R C of both films, unequal: balls are charged
+TAU = np.array([4e-3, 7e-3]).reshape(1, 2, 1)  # s, R C of films; unequal, so balls are charged
 
 
 @pytest.fixture(scope="module")
@@ -25,8 +25,8 @@ def leaky():
 
 
 def compare(given, outer, lines, tmp_path, wanted, step=4e-6):
-    """Run the netlist `lines` with the element of `given`, and compare the vectors `wanted`, as
-    named by ngspice, with the dataset of the circuit."""
+    """Run the netlist `lines` with the element for `given`, and compare the vectors `wanted`, named
+    as in ngspice, with the dataset of the circuit."""
     tran = f".tran {step:g} {given.time[-1]:g} 0 {step:g} uic\n"
     found = ngspice.run(
         f"test\n{spice.element(given)}\n{lines}\n{OPTIONS}{tran}.end\n", tmp_path, list(wanted)
@@ -53,7 +53,7 @@ def test_motor(leaky, tmp_path):
 
 
 def test_inverter(leaky, tmp_path):
-    """The switching edges of the legs take 5 ns."""
+    """Each switching edge of the inverter legs takes 5 ns."""
     wave = CommonMode(560.0, 1530.0, 47.0, 0.9)
     edges = wave.edges(leaky.time)
     corners = [f"{t:.12g} {before:.9g} {t + 5e-9:.12g} {after:.9g}" for t, before, after in edges]
@@ -71,7 +71,7 @@ def test_inverter(leaky, tmp_path):
 
 
 def test_source_with_a_resistance(tmp_path):
-    """Without leakage the balls stay uncharged, and a single element for the whole bearing gives
+    """Without leakage, the balls stay uncharged, and a single element for the whole bearing gives
     the same voltage."""
     outer = Source(Table([0, 1e-3, 2e-3, 6e-3], [0, 10, -10, 5]), 2e6)
     for element in ("bearing", "bearing_total"):
@@ -85,10 +85,10 @@ def test_source_with_a_resistance(tmp_path):
 
 
 def test_current_of_moving_plates(tmp_path):
-    """At constant voltage i = V dC/dt; a capacitor that is given by its capacitance alone would
-    omit this current."""
+    """At constant voltage the current is i = V dC/dt; a capacitor defined by its capacitance alone
+    would omit this current."""
     given = turning(n=41, z=5)
-    # the trapezoidal rule oscillates after a start
+    # the trapezoidal rule oscillates after the start
     tran = ".options method=gear\n.tran 2e-6 0.01 0 2e-6 uic\n"
     lines = "Vs ring 0 PWL(0 0 1m 6)\nX1 ring 0 bearing"
     found = ngspice.run(
@@ -97,7 +97,7 @@ def test_current_of_moving_plates(tmp_path):
         ["vs#branch"],
     )
     data = circuit.run(given, Source(Table([0, 1e-3], [0, 6])), points=20).data
-    middle = (data.time[1:] + data.time.values[:-1]) / 2  # away from kinks
+    middle = (data.time[1:] + data.time.values[:-1]) / 2  # away from the kinks
     theirs = -np.interp(middle, found["time"], found["vs#branch"])
     ours = data.current.to_numpy()[1:]
     later = data.time[1:] > 1.1e-3
@@ -116,7 +116,7 @@ def test_files_of_a_run(folder, tmp_path, capsys):
     time, capacitance, leak = np.loadtxt(lines.splitlines()).T
     np.testing.assert_array_equal(time, raceway.open(folder).contacts.time[::2])
     np.testing.assert_array_equal(capacitance, series(given.capacitance).bearing)
-    # in a uniform lubricant every film and all films together have the same R C
+    # in a uniform lubricant, R C has the same value for every film and for all films together
     np.testing.assert_allclose(leak * capacitance, 1e9 * 8.8541878128e-12 * 2.2, rtol=1e-12)
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Combined slip and spin in statics: limits, comparison with closed forms, and mistakes."""
+"""Tests of combined slip and spin in statics: limits, comparison with closed-form expressions, and
+invalid input."""
 
 from pathlib import Path
 
@@ -28,8 +29,8 @@ def test_radial_load_has_no_spin(bearing):
 
 
 def test_as_the_closed_forms(bearing):
-    """Under combined load both raceways share the spin, which reduces the losses by slip. The
-    closed forms are fits and agree within 5 %."""
+    """Under combined load, both raceways share the spin, which reduces the losses due to slip. The
+    closed-form expressions are fits and agree within 5 %."""
     closed, slices = (losses(bearing, 2000.0, 10000.0, law) for law in friction_torque.SPIN_LAWS)
     for part in ("rolling", "hysteresis", "drag"):
         assert slices.parts[part] == closed.parts[part]
@@ -51,7 +52,7 @@ def test_free_slip_leaves_no_force():
 
 
 def test_power_of_slices_is_that_of_gauss_points():
-    """Sliding in both directions with spin and differential slip agrees to the accuracy of the
+    """Sliding in both directions with spin and differential slip agrees within the accuracy of the
     slices at a/b = 8 (docs/tribology)."""
     case = dict(load=2000.0, friction=0.05, a=2e-3, b=2.5e-4, spin=30.0, curve=1e4)
     limit = 0.05 * 2000

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The equilibrium of the bearing is compared with values of docs/theory, closed-form solutions, and
+"""The equilibrium of the bearing is compared with values in docs/theory, closed-form solutions, and
 independently written equations of equilibrium."""
 
 import numpy as np
@@ -51,8 +51,8 @@ def test_load_parameter_of_any_ball_phase(bearing, relative, low, high):  # docs
 @pytest.mark.parametrize("axial", [50.0, -3000.0])
 @pytest.mark.parametrize("pd", [0.0, 30e-6])
 def test_thrust(bearing, axial, pd):
-    """All balls carry the same load, F_a = Z Q sin(alpha), and the distance of the groove centres
-    is C cos(alpha_0)/cos(alpha) (Harris 7.33)."""
+    """All balls carry the same load, F_a = Z Q sin(alpha), and the distance between the groove
+    centres is C cos(alpha_0)/cos(alpha) (Harris 7.33)."""
     free, c = clearance.free_contact_angle(bearing, pd), clearance.groove_distance(bearing)
 
     def load(angle):
@@ -68,7 +68,8 @@ def test_thrust(bearing, axial, pd):
 
     angle = brentq(lambda a: 9 * load(a) * np.sin(a) - abs(axial), free + 1e-9, 1.2, xtol=1e-14)
     state = equilibrium(bearing, 0.0, axial, clearance=pd)
-    # overlaps are differences of lengths a thousand times larger: a rounding of 1e-13 becomes 1e-9
+    # overlaps are differences of lengths a thousand times larger, so a rounding of 1e-13 becomes
+    # 1e-9
     assert state.inner.load == pytest.approx(np.full(9, load(angle)), rel=1e-8)
     assert state.inner.angle == pytest.approx(np.full(9, np.sign(axial) * angle), rel=1e-8)
     assert state.shift[:2] == pytest.approx([0, 0], abs=1e-12)
@@ -87,8 +88,8 @@ def test_thrust(bearing, axial, pd):
     ],
 )
 def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
-    """The ball positions computed from both raceways coincide, the loads follow Hertz, and each
-    ball and the ring are in equilibrium."""
+    """The ball positions computed from both raceways coincide, the loads follow Hertz's formula,
+    and each ball and the ring are in equilibrium."""
     state = equilibrium(
         bearing,
         radial,
@@ -122,7 +123,7 @@ def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
         + (bearing.groove_gap(OUTER) + state.outer.overlap)[:, None] * out
     )
     d = ball - state.shift
-    if finite_shift:  # the distance to the shifted circle, along a radius of the shifted ring
+    if finite_shift:  # distance to the shifted circle along a radius of the shifted ring
         distance = np.hypot(np.hypot(d[:, 0], d[:, 1]) - bearing.groove_circle(INNER), d[:, 2])
         u_ring = d * [1, 1, 0] / np.hypot(d[:, 0], d[:, 1])[:, None]
     else:
@@ -135,7 +136,7 @@ def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
     into = -np.cos(state.inner.angle)[:, None] * u_ring - np.sin(state.inner.angle)[:, None] * e
     scale = max(radial, abs(axial), thrown)
     balance = -state.outer.load[:, None] * out - state.inner.load[:, None] * into + thrown * u
-    # the cage takes the transverse component
+    # the cage supports the transverse component
     in_plane = np.stack([(balance * u).sum(1), balance @ e], 1)[live]
     assert in_plane == pytest.approx(np.zeros_like(in_plane), abs=1e-7 * scale)
 
@@ -168,8 +169,8 @@ def test_preload_without_load_is_centred(bearing):
 
 
 def test_circle_keeps_its_shape_under_a_finite_shift(bearing):
-    """The component x_t of the ring's displacement across a ball's radius reduces the overlap by
-    x_t^2/(2 r), which relieves the ball at 80 degrees."""
+    """The component x_t of the ring's displacement perpendicular to a ball's radius reduces the
+    overlap by x_t^2/(2 r), which relieves the ball at 80 degrees."""
     straight, circle = equilibrium(bearing, 5000.0), equilibrium(bearing, 5000.0, finite_shift=True)
     sideways = circle.shift[0] * np.sin(np.radians(80))
     squeeze = (circle.inner.overlap + circle.outer.overlap)[2]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway static` gives the results of the library; its tables, messages, exit codes and data
-files."""
+"""`raceway static` gives the same results as the library; its tables, messages, exit codes and data
+files are tested."""
 
 import json
 from pathlib import Path
@@ -90,8 +90,9 @@ ANGULAR = ("--bearing", "7205B", "--load", "1000", "--rpm", "3000")
 
 
 def test_ring_held_along_its_axis(capsys):
-    """Without an axial load an angular contact bearing is held where its balls make contact, as in
-    a deck. The load that holds it there gives the same results when applied as an axial load."""
+    """Without an axial load, an angular contact bearing is held at the position at which its balls
+    make contact, as in a deck. If the load that holds it is applied as an axial load, the results
+    are the same."""
     held = figures(capsys, *ANGULAR)
     assert held["clearance_m"] == pytest.approx(2 * 0.05 * 7.938e-3 * (1 - np.cos(np.radians(40))))
     assert held["load_parameter"] is None and held["loaded_balls"] == 12
@@ -113,8 +114,8 @@ def test_balls_that_stand_still_on_the_outer_ring_have_no_film_and_no_capacitanc
 
 def test_balls_that_slide_under_their_gyroscopic_moment(capsys):
     """In runs with a coefficient of friction of 0.05 in the film, the balls of a 7205B at 8000 rpm
-    slide under 100 N of thrust and roll under 150 N. Without a contact angle there is no gyroscopic
-    moment."""
+    slide under a thrust of 100 N and roll under a thrust of 150 N. Without a contact angle, there
+    is no gyroscopic moment."""
     words = ["--bearing", "7205B", "--rpm", "8000", "--lubricant", "vg46", "--temperature", "70"]
     words += ["--models", "full", "--axial"]
     below, above = figures(capsys, *words, "150"), figures(capsys, *words, "100")
@@ -127,8 +128,9 @@ def test_balls_that_slide_under_their_gyroscopic_moment(capsys):
 
 @pytest.mark.parametrize("axial", [300, 500, 600])
 def test_balls_without_load_have_no_contact_angle(capsys, axial):
-    """Balls that barely touch the inner ring lie at its edge, at more than 60 degrees; the contact
-    angle of all balls with more than 1 % of the largest load is below the nominal angle."""
+    """Balls that barely touch the inner ring are at the edge of its groove, at more than 60
+    degrees; the contact angle of every ball with more than 1 % of the largest load is below the
+    nominal angle."""
     found = figures(capsys, *ANGULAR, "--axial", str(axial))
     angles = [(ball["angle_inner_rad"], ball["q_inner_N"]) for ball in found["balls"]]
     loaded = [angle for angle, load in angles if load > 0.01 * found["q_inner_max_N"]]
@@ -150,7 +152,7 @@ def test_table(capsys):
     ):
         assert said in text
     balls = text.split("\nBalls\n")[1].split("\n\n")[0].splitlines()
-    # a heading and nine balls, in columns
+    # a heading and nine balls, aligned in columns
     assert len(balls) == 10 and len({len(line) for line in balls}) == 1
 
 

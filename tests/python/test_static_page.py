@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The Python sessions shown in docs/static.rst; tests/docs/test_examples.py tests its commands."""
+"""Run the Python sessions shown in docs/static.rst; tests/docs/test_examples.py runs its
+commands."""
 
 import doctest
 from pathlib import Path

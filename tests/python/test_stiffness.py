@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The stiffness of a 6208 is compared with values computed independently of this package.
 
-The reference values use the stiffness of each contact at zero angle, whereas the package uses that
-at the actual angle. The difference is up to 5e-4. Printed values are accurate to half a unit in the
-last digit.
+The reference values use the stiffness of each contact at zero angle, whereas the package uses the
+stiffness at the actual angle. The difference is up to 5e-4. Printed values are accurate to half a
+unit in the last digit.
 """
 
 import numpy as np
@@ -34,14 +34,14 @@ def test_matrix(loads, clearance, shift, entries):
     assert rest.stiffness == pytest.approx(rest.stiffness.T, rel=1e-6, abs=1e-3)
     for (row, column), want in entries.items():
         found = rest.stiffness[row, column]
-        # coupling is a small difference of large sums
+        # the coupling terms are small differences of large sums
         within = 5e-4 if row == column else 2e-3
         assert found == pytest.approx(want, rel=within), (row, column)
 
 
 def test_over_a_ball_pass():
-    """Smallest, mean and largest values along and across the load, over 16 phases of a ball
-    pass."""
+    """The smallest, mean and largest values along and perpendicular to the load are found over 16
+    phases of a ball pass."""
     phases = np.arange(16) / 16 * 2 * np.pi / 9
     found = np.array(
         [np.diag(static.equilibrium(B6208, 3000.0, phase=p).stiffness)[:2] for p in phases]

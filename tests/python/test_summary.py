@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every value in the summary is compared with the run, recomputed row by row."""
+"""Every value in the summary is compared with a value recomputed from the rows of the run."""
 
 import json
 import re
@@ -13,7 +13,7 @@ from raceway.errors import RunError
 from raceway.runs.summary import summary, table
 from raceway.runs.tables import RunTables
 
-# the table of INTERFACE.md in its order, repeated here because users rely on it
+# the table in INTERFACE.md in its order, repeated here because users rely on it
 PROMISED = """bearing lubricant host integrator models temperature_C load_N rpm clearance_m
 step_s passes
 viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m load_parameter
@@ -29,7 +29,7 @@ absent warnings model_ranges""".split()
 WORDS = ("bearing", "lubricant", "host", "integrator", "models")
 TYPES = dict.fromkeys(WORDS, str) | {"warnings": list}
 TYPES |= dict.fromkeys(("losses_W", "model_ranges", "absent"), dict)
-# the paper's model has none of these
+# the paper's model provides none of these
 LOST = {"friction_torque_N_m", "power_loss_W", "losses_W", "asperity_share"}
 ABSENT = {*LOST, "capacitance_total_F"}
 DRY_NULL = {
@@ -59,8 +59,8 @@ def test_promised_keys(folder, dry_folder):
 
 
 def test_rating_life(folder, lubricated, bearing, small_blocks):
-    """The life that is read block by block equals the life from all contacts of the record in one
-    array. There is no life if the outer ring rotates or the record has no contacts."""
+    """The life computed block by block equals the life computed from all contacts of the record in
+    one array. If the outer ring rotates or the record has no contacts, there is no life."""
     figures, run = summary(RunTables(folder)), raceway.open(folder)
     loads = [run.contacts.Q.sel(raceway=side).fillna(0).to_numpy() for side in ("inner", "outer")]
     rated = figures["dynamic_rating_N"]
@@ -107,7 +107,7 @@ def test_figures(folder, lubricated, bearing):
         top[0]["lambda"],
     )
 
-    # the load points to -y; the start does not belong to the window
+    # the load points to -y; the initial state does not belong to the window
     shift = np.mean([-ring[3] for ring in lubricated["rings"][1:]])
     assert figures["ring_shift_m"] == pytest.approx(shift, rel=1e-12)
     assert figures["load_parameter"] == pytest.approx(
@@ -135,15 +135,15 @@ def test_figures(folder, lubricated, bearing):
 
 
 def full(folder, data):
-    """Return the results of the run `data` with models full, which have friction torque."""
+    """Return the results of the run `data` with models full, which include the friction torque."""
     own = synthetic.changed(data, models="full")
     return summary(RunTables(synthetic.write(folder, own)))
 
 
 @pytest.mark.parametrize("models, lost", [("paper", LOST), ("film", LOST), ("mine", set())])
 def test_what_a_model_leaves_out(folder, lubricated, models, lost):
-    """The friction of the paper's model is not a friction torque, and the summary states this
-    reason instead of a number. A user's model reports the losses that its contacts have."""
+    """The friction in the paper's model is not a friction torque, and the summary gives this reason
+    instead of a number. A model defined by the user reports those losses that its contacts have."""
     own = synthetic.changed(lubricated, models=models)
     figures = summary(RunTables(synthetic.write(folder, own)))
     assert figures["absent"] == dict.fromkeys(figures["absent"], f"not in models {models}")
@@ -157,7 +157,7 @@ def test_what_a_model_leaves_out(folder, lubricated, models, lost):
 
 
 def test_friction(folder, lubricated):
-    """The torque of the shaft, the losses by part and the makers' torques equal values from the
+    """The shaft torque, the losses by part and the makers' torques equal values computed from the
     contacts."""
     figures = full(folder, lubricated)
     column = synthetic.LUBRICATED.index("load")
@@ -191,7 +191,7 @@ def test_rings_that_stand_still_have_no_torque(folder, lubricated, speed, has_on
 
 
 def test_makers_see_a_load_that_turns(folder, lubricated):
-    """The mean vector of a rotating load is almost zero, but its mean magnitude is not."""
+    """The mean vector of a rotating load is almost zero, but the mean of its magnitude is not."""
     turning = forced(
         folder, lubricated, lambda k: (3e3 * np.sin(0.3 * k), 3e3 * np.cos(0.3 * k), 0)
     )
@@ -214,8 +214,8 @@ def test_unmoved_ring_has_no_load_parameter(folder, lubricated):
 
 
 def forced(folder, data, force):
-    """Return the run `data` with `force(sample)` (3 numbers) as the force of the balls on the inner
-    ring."""
+    """Return the results of the run `data` when `force(sample)` (3 numbers) is the force of the
+    balls on the inner ring."""
     rings = [[*ring[:9], *force(k), *ring[12:]] for k, ring in enumerate(data["rings"])]
     return summary(RunTables(synthetic.write(folder, dict(data, rings=rings))))
 
@@ -234,9 +234,9 @@ def test_the_measured_force_stands_beside_the_set_load(folder, lubricated):
     [
         (lambda k: (0.0, 5000.0, 0.0), True),
         (lambda k: (0.0, 5000.0, 200.0), True),
-        (lambda k: (0.0, 5000.0, 300.0), False),  # axial load
-        (lambda k: (5000 * np.sin(0.3 * k), 5000 * np.cos(0.3 * k), 0.0), False),  # turning load
-        (lambda k: (300 * (-1) ** k, 5000.0, 0.0), True),  # passing balls
+        (lambda k: (0.0, 5000.0, 300.0), False),  # an axial load
+        (lambda k: (5000 * np.sin(0.3 * k), 5000 * np.cos(0.3 * k), 0.0), False),  # a rotating load
+        (lambda k: (300 * (-1) ** k, 5000.0, 0.0), True),  # ripple due to passing balls
     ],
 )
 def test_load_distribution_factor_only_under_a_steady_radial_load(
@@ -259,7 +259,7 @@ def test_a_speed_that_changes_is_shown(folder, lubricated):
 
 
 def test_warnings(folder, lubricated):
-    """The warnings of core/raceway/validity.h appear at their bounds."""
+    """The warnings defined in core/raceway/validity.h appear when their bounds are exceeded."""
     pressure, ratio = (synthetic.LUBRICATED.index(name) for name in ("pressure", "lambda"))
 
     def warned(change):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every row of tests/third_list.yaml states the earlier behaviour, and either names existing tests
-or is listed in docs/scope."""
+"""Every row of tests/third_list.yaml states the earlier behaviour, and either names tests that
+exist or is listed in docs/scope."""
 
 import ast
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Amplitude as a function of time and frequency, and of order during a run-up, for sines of known
-frequency and amplitude."""
+"""The amplitude as a function of time and frequency, and of order during a run-up, is computed for
+sines of known frequency and amplitude."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from raceway.errors import RunError
 from raceway.runs import order_tracking
 
 SAMPLE = 1e-4  # s
-ORDER, HEIGHT = 7.3, 2e-6  # of the shaft, m
+ORDER, HEIGHT = 7.3, 2e-6  # order of the shaft speed; m
 
 
 def test_a_line_that_comes_and_goes():
@@ -43,8 +43,8 @@ def test_mistakes(values, window, says):
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_even_angles(sign):
-    """At even angles, a line of constant order in a run-up from 10 to 30 revolutions per second is
-    a single sine."""
+    """If it is resampled at equal angles, a line of constant order in a run-up from 10 to 30
+    revolutions per second becomes a single sine."""
     time = np.arange(10000) * SAMPLE
     angle = sign * 2 * np.pi * (10 * time + 10 * time**2)
     values, step = order_tracking.at_even_angles(np.cos(ORDER * angle), angle)
@@ -83,7 +83,7 @@ def test_orders_of_a_run_up(run_up):
     found = time_frequency.of_run(run, "x", "inner")
     assert found.attrs["orders"] and found.attrs["units"] == "m"
     middle = found.sel(time=slice(0.3, 1.7))
-    # windows of a quarter of a ball pass, which resolve few orders
+    # the windows last a quarter of a ball pass, so they resolve only few orders
     peaks = middle["order"][middle.argmax("order")]
     assert np.abs(peaks - ORDER).max() < 0.5 * found.attrs["resolution"]
     hertz = time_frequency.of_run(run, "x", "inner", orders=False)

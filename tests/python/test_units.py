@@ -72,14 +72,14 @@ def test_read(text, unit, value):
 
 @pytest.mark.parametrize("unit", sorted(SCALED))
 def test_what_is_printed_can_be_read(unit):
-    """Decimal texts with a prefix are read as the same floats as numbers with an exponent."""
+    """Decimal numbers with a prefix are read as the same floats as numbers with an exponent."""
     for power, sign in PREFIX.items():
         assert read(f"12.7{sign}{unit}", unit) == float(f"12.7e{power}")
     assert read(prefixed(4.7e3, unit), unit) == 4700.0
 
 
 def test_every_physical_option_takes_its_unit():
-    """No command parses an option with float: every length accepts 10um."""
+    """No command parses an option with float, so every length accepts 10um."""
     (commands,) = (
         action
         for action in cli._parser()._actions

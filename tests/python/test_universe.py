@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run in MDAnalysis: every column of every frame has double precision, because single precision
-would lose too many digits."""
+"""A run opened in MDAnalysis: every column of every frame has double precision, because single
+precision would lose too many digits."""
 
 import pickle
 
@@ -14,7 +14,7 @@ from raceway.runs import universe as module
 
 @pytest.fixture
 def run(folder, monkeypatch):
-    # 7 frames at once: 49 frames take several reads, the last one incomplete
+    # 7 frames at once, so 49 frames need several reads
     monkeypatch.setattr(module, "ROWS", 7 * 20)
     return raceway.open(folder)
 
@@ -56,12 +56,12 @@ def test_every_frame_in_any_order(run):
                 values = ts.data[f"{name}_{side}"]
                 assert values.dtype == np.float64 and len(values) == 20
                 assert np.array_equal(values[:9], here[name], equal_nan=True)
-                assert set(np.nan_to_num(values[9:])) == {0.0}  # cage and rings touch no raceway
+                assert set(np.nan_to_num(values[9:])) == {0.0}  # cage and rings have no contacts
 
 
 def test_single_precision_is_not_enough(run, lubricated):
-    """As the docstring of the module states, positions are off by up to 2 nm, so overlaps computed
-    from them are wrong, while the columns are exact."""
+    """As the docstring of the module states, positions are wrong by up to 2 nm, so overlaps
+    computed from them are useless, whereas the columns are exact."""
     u, radius = run.universe(), synthetic.DEEP_GROOVE.pitch_radius
     off = max(np.abs(u.atoms.positions - ts.data["position"]).max() for ts in u.trajectory)
     assert np.finfo(np.float32).eps * radius / 8 < off < 2e-9

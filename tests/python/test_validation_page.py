@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The tests that docs/validation names for T1 to T12 exist."""
+"""The tests that docs/validation.rst names for T1 to T12 exist."""
 
 import re
 from pathlib import Path
@@ -17,8 +17,8 @@ def test_all_are_there():
 
 @pytest.mark.parametrize(("number", "engine", "package"), ROWS)
 def test_named_tests_exist(number, engine, package):
-    """Cells contain entries `file: names`, separated by semicolons, where names are parts of test
-    names."""
+    """The cells contain entries `file: names`, separated by semicolons, where the names are parts
+    of test names."""
     for folder, words in (("tests/physics", engine), ("tests/python", package)):
         for one in words.split("; "):
             name, _, wanted = one.partition(": ")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Limits of the formulas: bounds from C++, and ellipses at the shoulder of their groove."""
+"""Tests of the limits of the formulas: bounds defined in C++, and ellipses that reach the shoulder
+of their groove."""
 
 import json
 import math
@@ -29,7 +30,7 @@ def test_a_rule_holds_up_to_its_bound(name):
 def test_reach_of_an_ellipse():
     """A groove whose depth is half its radius ends at 60 degrees, because cos 60 = 1 - 0.5."""
     shoulders = Shoulders(2 * (24e-3 + GROOVE / 2), 2 * (36.6e-3 - GROOVE / 2))
-    a = np.array([GROOVE * math.sin(math.radians(20))])  # 20 degrees to either side
+    a = np.array([GROOVE * math.sin(math.radians(20))])  # this extends 20 degrees to either side
 
     def judged(inner, outer):
         angles = tuple(np.radians([value]) for value in (inner, outer))
@@ -74,9 +75,10 @@ def test_a_shoulder_that_is_none(tmp_path):
 
 @pytest.mark.parametrize("name", ["static", "electric", "heat"])
 def test_a_ring_held_along_its_axis(name, capsys):
-    """For an angular contact bearing under radial load alone, text and JSON of every command state
-    the force that holds its ring. With this force as an axial load the ring is in equilibrium
-    without a warning. A deep groove bearing has no such force."""
+    """For an angular contact bearing under a purely radial load, text and JSON output of every
+    command state the force that holds the ring. If this force is applied as an axial load, the ring
+    is in equilibrium and there is no warning. For a deep groove ball bearing there is no such
+    force."""
 
     def said(*more):
         point = ["--rpm", "3000", "--lubricant", "vg46", "--load", "1000"]
@@ -90,6 +92,6 @@ def test_a_ring_held_along_its_axis(name, capsys):
     angular = ["--bearing", "7205B"]
     (text,) = said(*angular)
     force = {"N": 1.0, "kN": 1e3}[text.split()[11].strip(",")] * float(text.split()[10])
-    # the rule for the induced force is e F_r, with e of ISO 281 at 40 degrees
+    # the rule for the induced force is e F_r, with the value of e from ISO 281 at 40 degrees
     assert 900 < force < 1.14e3
     assert said(*angular, "--axial", str(force)) == said() == []

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Total capacitance over a run with known contents; tests/scenarios contains tests with simulated
-runs."""
+"""Tests of the total capacitance over a run whose contents are known; tests/scenarios contains
+tests with simulated runs."""
 
 from types import SimpleNamespace
 
@@ -49,8 +49,8 @@ def test_unknown_surroundings():
 
 
 def test_columns_of_the_record_come_first(folder, monkeypatch):
-    """The columns of a record are used if it contains the total capacitance and no other filling is
-    requested."""
+    """The columns of a record are used if they include the total capacitance and no other filling
+    is requested."""
     run = raceway.open(folder)
     own = whole_capacitance.over_time(run)
     assert own.attrs["source"] == "places, loads and films"
@@ -68,8 +68,8 @@ def test_columns_of_the_record_come_first(folder, monkeypatch):
 
 
 def test_threshold_is_the_least_of_the_balls(folder):
-    """The threshold is the smallest value of E h (C_i + C_o)/C over balls and films, where C
-    belongs to the ball's other film."""
+    """The threshold is the smallest value of E h (C_i + C_o)/C over balls and films, where C is the
+    capacitance of the other film of the ball."""
     run = raceway.open(folder)
     whole = whole_capacitance.over_time(run)
     found = whole_capacitance.fields(run, whole, 1.0, strength=2e7)
@@ -80,7 +80,7 @@ def test_threshold_is_the_least_of_the_balls(folder):
 
 
 def test_the_circuit_takes_it(folder):
-    """Series connection, threshold and local thickness of the circuit equal those of the module
+    """Series connection, threshold and local thickness in the circuit equal those of the module
     `whole_capacitance`."""
     run = raceway.open(folder)
     whole = whole_capacitance.over_time(run)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The recipes of docs/extend.rst are carried out in a copy of the tree.
+"""Carry out the recipes of docs/extend.rst in a copy of the tree.
 
-The copy builds and every law passes the derivative test. The additions appear in output, in tables
-of the docs and in a deck.
+The copy builds, and every law passes the derivative test. The additions appear in the output, in
+the tables of the documentation and in a deck.
 """
 
 import json
@@ -30,11 +30,13 @@ def carry_out(recipe: str, tree: Path) -> set[str]:
         path = tree / edit["file"]
         touched.add(edit["file"])
         if "before" not in edit and "after" not in edit:
-            assert not path.exists(), f"{path} is there already"
+            assert not path.exists(), f"{path} already exists"
             path.write_text(edit["text"])
             continue
         anchor, text = edit.get("before") or edit["after"], path.read_text()
-        assert text.count(anchor) == 1, f"{edit['file']}: '{anchor}' {text.count(anchor)} times"
+        assert text.count(anchor) == 1, (
+            f"{edit['file']}: '{anchor}' found {text.count(anchor)} times"
+        )
         added = edit.get("inline") or "\n" + edit["text"]
         at = text.index(anchor) + (len(anchor) if "after" in edit else 0)
         if "before" in edit:
@@ -44,8 +46,8 @@ def carry_out(recipe: str, tree: Path) -> set[str]:
 
 
 def add_wrong_toy(tree: Path) -> None:
-    """Add a second toy that the derivative test must reject: the derivative that it returns is
-    twice that of its value."""
+    """Add a second toy whose derivative is twice that of its value, so that the derivative test
+    must reject it."""
     core = tree / "src-package/core"
     text = (core / "parts/part_toy.h").read_text()
     for old, new in {
@@ -84,8 +86,8 @@ struct WrongToyLoss""",
 
 
 def run(command: list[str], folder: Path, tree: Path | None = None, **more) -> str:
-    """Run `command` in `folder`, with the Python package of `tree` (default: `folder`), and return
-    its output."""
+    """Run `command` in `folder`, with the Python package from `tree` (default: `folder`), and
+    return its output."""
     path = {"PYTHONPATH": str((tree or folder) / "python" / "src")}
     done = subprocess.run(
         command, cwd=folder, env=os.environ | path, capture_output=True, text=True, **more
@@ -96,8 +98,8 @@ def run(command: list[str], folder: Path, tree: Path | None = None, **more) -> s
 
 @pytest.fixture(scope="module")
 def touched(tmp_path_factory):
-    """Return (tree, {recipe: files touched}) for a copy with all recipes, built without
-    optimisation."""
+    """Return (tree, {recipe: files touched}), where tree is a copy to which all recipes were
+    applied, built without optimisation."""
     tree = tmp_path_factory.mktemp("recipes") / "tree"
     folders = ("src-package", "inputs", "docs/decks", "tests/physics", "tests/references", "python")
     for folder in folders:
@@ -106,17 +108,17 @@ def touched(tmp_path_factory):
         shutil.copy(ROOT / file, tree / file)
     shutil.copy(ROOT / "tests" / "pytest.ini", tree / "tests")
     (tree / ".venv").symlink_to(ROOT / ".venv")
-    # files that no recipe touches are not compiled again
+    # reuse the object files, so that sources which no recipe touches are not compiled again
     for folder in ("build/obj", "build/obj-laws", "build/units"):
         shutil.copytree(ROOT / folder, tree / folder)
     files = {recipe: carry_out(recipe, tree) for recipe in MOST_FILES}
     add_wrong_toy(tree)
     targets = ["build/liggghts", "build/libraceway_physics.so", CORE]
-    # the library for the tests, with only the functions that the derivative test calls
+    # build the test library with only the functions that the derivative test calls
     physics = "PHYSICS_C=tests/physics/physics_c.cpp tests/physics/law_c.cpp"
-    # low priority: ranks of other tests would wait for each other while a compiler has their core
+    # low priority, because ranks of other tests wait for each other while a compiler has their core
     nice = ["nice", "-n", "19", "make", "-s", "-j2"]
-    # clang takes two thirds of the time of g++
+    # clang takes two thirds of the time that g++ takes
     words = ["CXX=clang++", "OPTIMISE=-O0 -DRACEWAY_ONE_TARGET", physics]
     run([*nice, *words, *targets], tree)
     return tree, files
@@ -128,7 +130,8 @@ def test_few_files(touched, recipe):
 
 
 def test_the_derivative_test_refuses_the_wrong_toy_alone(touched):
-    """All sets of parts pass, also with the toy; only sets with the wrong toy fail."""
+    """All sets of parts pass, including those with the toy; only the sets with the wrong toy
+    fail."""
     tests = "tests/physics/test_physics_laws.py"
     command = [PYTHON, "-m", "pytest", "-q", "-c", "tests/pytest.ini", "--rootdir=.", tests]
     done = subprocess.run(command, cwd=touched[0], capture_output=True, text=True)
@@ -168,7 +171,8 @@ def rows(dump: Path) -> list[list[float]]:
 
 @pytest.fixture(scope="module")
 def ran(touched):
-    """Run docs/decks/in.toy; return {0 velocity Verlet, 1 implicit: folder}."""
+    """Run docs/decks/in.toy and return {0 or 1: folder}, where 0 is velocity Verlet and 1 the
+    implicit integrator."""
     folders = {}
     for implicit in ("0", "1"):
         folders[implicit] = touched[0] / f"run{implicit}"
@@ -180,12 +184,12 @@ def ran(touched):
 
 
 def test_the_deck_runs_with_both_integrators(ran):
-    """The couple on a ball that rolls steadily is the toy's stiffness times its time times the
-    rolling speed.
+    """The couple on a ball that rolls steadily is the product of the toy's stiffness, its time and
+    the rolling speed.
 
-    After ten times the toy's time the integrators agree within the first-order error that Verlet's
-    step causes in the memory, 1e-6/1e-3. Balls that barely touch are omitted because their contacts
-    open and close.
+    After ten times the toy's time, the integrators agree within the first-order error that Verlet's
+    step causes in the memory, 1e-6/1e-3. Balls that barely touch are left out, because their
+    contacts open and close.
     """
     found = {key: rows(folder / "toys.dump") for key, folder in ran.items()}
     loaded = {key: [row for row in found[key] if row[2] > 100] for key in found}
@@ -209,8 +213,8 @@ print(json.dumps({"summary": found, "needs": figures(found), "report": report}))
 
 def test_the_loss_arrives_in_torque_summary_needs_and_report(touched, ran):
     """The toy's loss appears in the friction torque, in losses_W, in the results of raceway needs
-    and on the page of the run. It is the sum over the contacts of the record, except for the
-    damping that the law also has."""
+    and on the report page. It equals the sum over the contacts of the record, except for the
+    damping, which this law also includes."""
     folder = ran["1"] / "toy"
     found = json.loads(
         run([PYTHON, "-c", SHOWN, str(folder), str(folder / "report.html")], touched[0])

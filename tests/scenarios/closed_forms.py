@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Expected results of runs, from kinematics and from the static solver, which is written
+"""Compute the expected results of runs from kinematics and from the static solver, which is written
 independently of the C++ code."""
 
 import numpy as np
@@ -8,7 +8,7 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 
 
 def bearing_of(settings):
-    """Return the bearing of a run with these settings."""
+    """Return the bearing that a run with these settings simulates."""
     return Bearing(
         int(settings["balls"]),
         settings["ball_diameter_m"],
@@ -22,13 +22,13 @@ def bearing_of(settings):
 
 
 def shaft_speed(settings):
-    """Return the speed of the shaft, rad/s."""
+    """Return the shaft speed in rad/s."""
     return settings["rpm"] * np.pi / 30
 
 
 def equilibrium(run, sample, film=None):
-    """Return the static equilibrium with the balls at their positions in a sample of the run.
-    `film`, a `FilmInGap`, adds the film in the gap."""
+    """Return the static equilibrium for the ball positions in a sample of the run. If `film`, a
+    `FilmInGap`, is given, the equilibrium includes the film in the gap."""
     settings, balls = run.settings, run.balls
     now = balls[(balls["sample"] == sample) & (balls["type"] == 1)].sort_values("id")
     orbit = kinematics.frequencies(bearing_of(settings)).cage * shaft_speed(settings)
@@ -50,7 +50,7 @@ def _all(run):
 
 
 def static_shift(run, _):
-    """Return the mean displacement of the inner ring along the load, m."""
+    """Return the mean displacement of the inner ring along the load in m."""
     azimuth = run.settings["load_azimuth_rad"]
     return np.mean(
         [state.shift[0] * np.cos(azimuth) + state.shift[1] * np.sin(azimuth) for state in _all(run)]
@@ -58,17 +58,17 @@ def static_shift(run, _):
 
 
 def static_largest_load(run, _):
-    """Return the largest contact load within a ball pass, N."""
+    """Return the largest contact load within a ball pass in N."""
     return max(state.inner.load.max() for state in _all(run))
 
 
 def cage_speed(run, _):
-    """Return the kinematic cage speed, rad/s."""
+    """Return the kinematic cage speed in rad/s."""
     return kinematics.frequencies(bearing_of(run.settings)).cage * shaft_speed(run.settings)
 
 
 def entrainment(run, _):
-    """Return the kinematic entrainment speed, m/s."""
+    """Return the kinematic entrainment speed in m/s."""
     return kinematics.entrainment(bearing_of(run.settings), shaft_speed(run.settings))
 
 
@@ -79,10 +79,10 @@ def _pressure(run, side, load):
 
 
 def pressure_inner(run, summary):
-    """Return the Hertz pressure at the largest inner load, Pa."""
+    """Return the Hertz pressure in Pa at the largest load on the inner raceway."""
     return _pressure(run, INNER, summary["q_inner_max_N"])
 
 
 def pressure_outer(run, summary):
-    """Return the Hertz pressure at the largest outer load, Pa."""
+    """Return the Hertz pressure in Pa at the largest load on the outer raceway."""
     return _pressure(run, OUTER, summary["q_outer_max_N"])

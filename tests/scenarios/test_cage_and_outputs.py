@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cage stays on its rails, and all ways to read the data of a contact agree."""
+"""The cage stays on its rails, and all ways to read the data of a contact give the same values."""
 
 import re
 
@@ -59,8 +59,8 @@ variable pe equal c_energy
 
 
 def test_totals_are_those_of_the_contacts(run):
-    """compute bearing/total, compute bearing/ball and the local rows read the same table; the dumps
-    have 12 digits."""
+    """compute bearing/total, compute bearing/ball and the local rows take their values from the
+    same table; the dumps have 12 digits."""
     (
         live,
         loaded,
@@ -94,8 +94,8 @@ def test_totals_are_those_of_the_contacts(run):
 
 
 def test_potential_energy_is_that_of_the_springs(run):
-    """The potential energy pe is the sum of 2/5 Q overlap over all contacts; cage contacts
-    contribute less than 1e-3."""
+    """The potential energy pe equals the sum of 2/5 Q overlap over all raceway contacts; cage
+    contacts contribute less than a fraction of 1e-3."""
     energy = run.totals[12]
     rows = run.contacts[run.contacts["sample"] > 0]
     springs = (0.4 * rows["load"] * rows["overlap"]).groupby(rows["sample"]).sum().to_numpy()
@@ -103,8 +103,8 @@ def test_potential_energy_is_that_of_the_springs(run):
 
 
 def test_background_is_added_once(run):
-    """f_ID[1] is the capacitance by eq 12 plus the background. f_ID[2] is the largest capacitance
-    of a ball without the background. f_ID[3] is the number of balls in the sum."""
+    """f_ID[1] is the capacitance by eq 12 plus the background, f_ID[2] the largest capacitance of a
+    ball without the background, and f_ID[3] the number of balls in the sum."""
     more, top, active, bare = run.totals[15:19]
     np.testing.assert_allclose(more - bare, 30e-12, rtol=1e-9)  # 12 digits of 300 pF
     pairs = run.pairs[run.pairs["sample"] > 0].groupby("sample")["capacitance"]
@@ -113,9 +113,9 @@ def test_background_is_added_once(run):
 
 
 def test_virial_is_that_of_the_contact_forces(run):
-    """3 p V = sum of F.(x_ball - x_ring): in a radial scene every raceway contact adds -N (n.u) r,
-    with the normal n.u = -1 on the inner and +1 on the outer raceway. Cage contacts (below 1 N) and
-    friction are neglected here.
+    """3 p V equals the sum of F.(x_ball - x_ring): in a radial scene, every raceway contact
+    contributes -N (n.u) r, where the normal n.u is -1 on the inner and +1 on the outer raceway.
+    Cage contacts (below 1 N) and friction are neglected.
     """
     virial, volume = run.totals[13:15]
     for k in range(SAMPLES):
@@ -132,7 +132,7 @@ def test_virial_is_that_of_the_contact_forces(run):
 
 
 def test_cage_balls_stay_centred(run):
-    """Cage balls stay in the middle plane and on the pitch circle, within the 190 um that pocket
+    """Cage balls stay in the middle plane and on the pitch circle, to within the 190 um that pocket
     and chord allow."""
     cage = run.balls[run.balls["type"] == 2]
     radius = np.hypot(cage["x"], cage["y"])
@@ -141,17 +141,19 @@ def test_cage_balls_stay_centred(run):
 
 
 def test_rails_carry_the_centrifugal_load_at_least(run):
-    """The force on the rails is m_c r w^2 of nine polyamide balls divided by the cosine of the seat
-    angle (45 degrees), plus the force of balls that push cage balls outwards."""
+    """The force on the rails is the centrifugal force m_c r w^2 on nine polyamide balls, divided by
+    the cosine of the seat angle (45 degrees), plus the force of balls that push cage balls
+    outwards."""
     mass = 4 / 3 * np.pi * 4.19e-3**3 * 1140
     orbit = 19.8
     assert run.totals[8].mean() > 0.99 * 9 * mass * 30.3e-3 * orbit**2 / np.cos(np.pi / 4)
 
 
 def test_step_limit_is_that_of_the_stiffest_ball(tmp_path):
-    """The limit of fix bearing/timestep for a dry bearing is 2 sqrt(m/k), where k is the stiffness
-    of both raceways together. Tangential modes are softer here, because the rolling sphere has 2/7
-    of the mass; the limit is compared with the smaller of the two limits."""
+    """For a dry bearing, the limit of fix bearing/timestep is 2 sqrt(m/k), where k is the stiffness
+    of both raceways together. A tangential mode may have a lower limit, because the effective mass
+    of the rolling sphere is 2/7 of its mass; the limit is compared with the smaller of the two
+    values."""
     deck = tmp_path / "in.limit"
     main = (ROOT / "inputs" / "in.6208").read_text()
     deck.write_text(
@@ -190,7 +192,7 @@ run 1
     expected = np.inf
     for ball in set(rows[:, 0]):
         k, c = rows[rows[:, 0] == ball, 1].sum(), rows[rows[:, 0] == ball, 2].sum()
-        kt = 2 * 0.7 / 1.7 * k  # Mindlin, for two bodies of the same material
+        kt = 2 * 0.7 / 1.7 * k  # by Mindlin, for two bodies of the same material
         each = 2 * 0.7 / 1.7 * rows[rows[:, 0] == ball, 1]
         ct = (2 * 0.3 * np.sqrt(2 / 7 * mass * each)).sum()
         expected = min(expected, verlet(k, c, mass), verlet(kt, ct, 2 / 7 * mass))

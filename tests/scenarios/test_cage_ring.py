@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A one-piece rigid cage (fix bearing/cage/ring) in a 6208, with both integrators, conserves
-momentum, is slowed by oil as the laws describe, and slips because of its play. Wrong data are
-rejected."""
+"""A one-piece rigid cage (fix bearing/cage/ring) in a 6208 is tested with both integrators. It
+conserves momentum, is slowed by oil as the laws describe, and slips because of its play. Invalid
+data are rejected."""
 
 import re
 
@@ -25,8 +25,9 @@ FREE = "x free y free spin free"
 
 
 def scene(folder, integrator="implicit", *, span=0.02, samples=20, **changes):
-    """Run the deck for `span` seconds in `folder`. Return its `Outcome` and rows with step, time,
-    x, y, spin, angle, largest and total pocket force, loss, eccentricity and torque of the cage."""
+    """Run the deck in `folder` for `span` seconds. Return its `Outcome` and rows that contain step,
+    time, x, y, spin, angle, largest and total pocket force, loss, eccentricity and torque of the
+    cage."""
     dt = float(changes.pop("dt", 2e-7 if integrator == "verlet" else 2e-5))
     sample = round(span / dt / samples)
     changes |= dict(dt=dt, sample=sample, steps=sample * samples, integrator=integrator)
@@ -35,8 +36,9 @@ def scene(folder, integrator="implicit", *, span=0.02, samples=20, **changes):
 
 
 def momenta(folder):
-    """Return the momentum (kg m/s) of all bodies, their angular momentum (kg m^2/s) about the axis
-    through the origin, and the sums of the magnitudes: each an array (samples,) or (samples, 2)."""
+    """Return the total momentum (kg m/s), the total angular momentum (kg m^2/s) about the axis
+    through the origin, and the sums of their magnitudes. Each is an array (samples,) or (samples,
+    2)."""
     p, size, turn, turns = [], [], [], []
     for _, rows in tables(folder / "balls.dump"):
         kind, x, v, w, m, r = rows[:, 1], rows[:, 2:5], rows[:, 5:8], rows[:, 8:11], *rows[:, 11:].T
@@ -54,8 +56,8 @@ def momenta(folder):
 @pytest.mark.parametrize("integrator", BOTH)
 @pytest.mark.parametrize("shape", ["cylinder", "sphere"])
 def test_pockets_and_land_keep_momentum(tmp_path, integrator, shape):
-    """The rings are free. The cage starts at one wall of its pockets. The land of the outer ring
-    drags it through oil and friction."""
+    """The rings are free, and the cage starts at one wall of its pockets. The land of the outer
+    ring drags it through oil and friction."""
     _, cage = scene(
         tmp_path,
         integrator,
@@ -70,14 +72,14 @@ def test_pockets_and_land_keep_momentum(tmp_path, integrator, shape):
     assert cage[:, 7].max() > 0.1 and np.ptp(cage[:, 4]) > 0.01
     p, size, turn, turns = momenta(tmp_path)
     assert np.abs(p - p[0]).max() < 1e-9 * size
-    # with raceway contacts alone, implicit steps conserve momentum to 1e-7
+    # if there are only raceway contacts, implicit steps conserve momentum to 1e-7
     assert np.abs(turn - turn[0]).max() < (2e-7 if integrator == "implicit" else 1e-11) * turns
 
 
 @pytest.mark.parametrize("integrator", BOTH)
 def test_a_free_cage_slows_as_its_oil_says(tmp_path, integrator):
-    """The pockets are too wide for any contact with a ball. The cage is subject to Petroff's couple
-    at the land of the rotating outer ring and to churning."""
+    """The pockets are so wide that no ball touches them. Petroff's couple at the land of the
+    rotating outer ring and the churning couple act on the cage."""
     _, cage = scene(
         tmp_path,
         integrator,
@@ -121,8 +123,8 @@ def test_work_is_stored_or_lost(tmp_path, words):
 
 
 def test_both_integrators_agree(tmp_path):
-    """Motion in the pockets is chaotic over long times, so only mean speeds are compared; paths are
-    compared to a few micrometres."""
+    """Motion in the pockets is chaotic over long times, so only the mean speeds are compared, and
+    the paths to within a few micrometres."""
     rows = {
         name: scene(tmp_path / name, name, span=0.03, words=f"friction 0.1 planar yes {LAND}")[1]
         for name in BOTH
@@ -139,8 +141,8 @@ CENTRED = "guide outer 33.0e-3 5e-6 2.0e-3 2"
 
 
 def slip(folder, words=f"friction 0.1 planar yes {CENTRED}", **changes):
-    """Return the slip of the cage (%) over one turn of the cage that follows one turn of settling,
-    and the loaded arc (m)."""
+    """Return (slip of the cage in %, loaded arc in m). The slip is measured over one turn of the
+    cage after one turn of settling."""
     _, cage = scene(folder, span=0.21, samples=100, words=words, **changes)
     speed = np.polyfit(cage[50:, 1], cage[50:, 5], 1)[0]
     rolling = 157.07963267948966 * (1 - BALL / PITCH) / 2
@@ -149,8 +151,8 @@ def slip(folder, words=f"friction 0.1 planar yes {CENTRED}", **changes):
 
 
 def test_play_over_the_loaded_arc_makes_a_cage_slip(tmp_path):
-    """Unloaded balls, slowed by drag, fall back through the play of their pockets. Loaded balls
-    drive the cage, which its land centres here. Without drag there is no slip."""
+    """Drag slows unloaded balls, which fall back through the play of their pockets. Loaded balls
+    drive the cage, which is centred by its land in this test. Without drag there is no slip."""
     plays = [1e-4, 2e-4, 3e-4]
     found, arcs = zip(*(slip(tmp_path / str(j), play=j) for j in plays), strict=True)
     assert np.polyfit(plays, found, 1)[0] / 100 == pytest.approx(1 / np.mean(arcs), rel=0.15)
@@ -164,14 +166,15 @@ def test_play_over_the_loaded_arc_makes_a_cage_slip(tmp_path):
 
 
 def test_a_cage_on_balls_slips_more_than_one_on_its_land(tmp_path):
-    """A cage on balls slips more because its centre also moves, within the play."""
+    """The slip is larger if the cage is guided by balls, because its centre can then move within
+    the play."""
     centred, _ = slip(tmp_path / "land")
     free, _ = slip(tmp_path / "balls", "friction 0.1 planar yes")
     assert 1.2 * centred < free < 2.5 * centred
 
 
 def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
-    """The results for a run of the deck in inputs agree with the samples in the record of the
+    """The results for a run of the deck in inputs agree with the samples in the record of this
     run."""
     succeed("inputs/in.cage_ring", out=tmp_path, settle=4, passes=4, cage_play=2e-4)
     run = Run(tmp_path)
@@ -192,10 +195,11 @@ def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
     assert np.isfinite(force).any(axis=1).sum() > 50
     causes = [figures[f"cage_slip_{cause}"] for cause in ("angle", "groove", "play")]
     assert sum(causes) == pytest.approx(figures["cage_slip"], rel=1e-12)
-    assert causes[0] == 0  # a radial load
-    # Heathcote's free rolling at the contacts of the run, weighted by their loads
+    assert causes[0] == 0  # the load is radial
+    # free rolling by Heathcote at the contacts of the run, weighted by their loads
     contact = record.read(["load", "a"])
-    # along rolling 1/R_x = 1/R_b + 1/r at the inner raceway and 1/R_b - 1/r at the outer raceway
+    # in the rolling direction, 1/R_x = 1/R_b + 1/r at the inner and 1/R_b - 1/r at the outer
+    # raceway
     r_x = 1 / (1 / BALL + np.array([1 / inner, -1 / outer])[:, None])
     r_d = 2 * 6.552e-3 * BALL / (6.552e-3 + BALL)
     both = (contact["load"] > 0).all(axis=1)
@@ -211,7 +215,7 @@ def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
     assert float(found["largest"].max()) == figures["pocket_force_max_N"]
     mean = float((found["mean"] * found["samples"]).sum() / found["samples"].sum())
     assert mean == pytest.approx(figures["pocket_force_mean_N"])
-    # the play was given; it remains open whether the play frees the cage
+    # the user gave the play; whether the play frees the cage remains open
     ranges = figures["model_ranges"]
     assert "pocket_force_max_N" not in ranges
     arc = np.pi * (inner + outer) * figures["loaded_balls_mean"] / 9
@@ -220,8 +224,9 @@ def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
 
 
 def test_pockets_are_drawn_around_their_balls(tmp_path):
-    """In the samples of a run each ball is within the play of its own spherical pocket, and touches
-    the wall if the pocket exerts a force on it. ParaView and pictures show the same pockets."""
+    """In the samples of a run, each ball stays within the play of its own spherical pocket, and
+    touches the wall if the pocket exerts a force on it. ParaView and the pictures show the same
+    pockets."""
     play, phase = 2e-4, 0.3
     succeed("inputs/in.cage_ring", out=tmp_path, passes=2, cage_play=play, phase=phase)
     run = Run(tmp_path).tables
@@ -234,7 +239,7 @@ def test_pockets_are_drawn_around_their_balls(tmp_path):
     assert (force > 0).sum() > 50 and off[force > 0].min() > play / 2
     picture = drawn(run, np.arange(samples), factor=1.0)
     assert np.abs(picture.pockets - found.centre).max() < 1e-15
-    # pictures magnify displacements in such a way that a pocket stays at its ball
+    # pictures magnify displacements in such a way that each pocket stays at its ball
     magnified = drawn(run, np.arange(samples)).pockets
     away = np.abs(np.hypot(magnified[..., 0], magnified[..., 1]) - run.geometry.pitch_radius)
     assert away.max() < 0.2 * run.geometry.ball_radius
@@ -259,7 +264,8 @@ def test_pockets_are_drawn_around_their_balls(tmp_path):
     ],
 )
 def test_a_whirl_has_its_speed_and_name(order, name):
-    """The cage's path is a circle with a radius of 20 um, plus some noise, over 10 turns."""
+    """The centre of the cage moves on a circle with a radius of 20 um, plus some noise, for 10
+    turns."""
     turn, noise = 2 * np.pi / 200, np.random.default_rng(1).normal(size=(2, 2000))
     place = 2e-5 * np.exp(1j * order * turn * np.arange(2000)) + 1e-6 * (noise[0] + 1j * noise[1])
     found = whirl_order(place - place.mean(), turn, 2e-4)
@@ -272,9 +278,9 @@ def test_a_whirl_has_its_speed_and_name(order, name):
 
 @pytest.mark.parametrize("part", ["shear", "land", "churning"])
 def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
-    """If the other parts are omitted, the power loss of a part equals its closed form in those
-    samples in which no ball strikes its pocket, because the damping of the walls is never below
-    0."""
+    """If the other parts are omitted, the power loss due to one part equals its closed-form value
+    in those samples in which no ball strikes its pocket. The other samples are excluded because the
+    damping of the walls is never below 0."""
     out = sorted({"friction", "shear", "land", "churning"} - {part})
     land = dict(cage_guide="outer", cage_land=34e-3, cage_clearance=2e-4, cage_width=2e-3)
     succeed(
@@ -296,7 +302,7 @@ def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
     couple = 0.3 * np.pi * 0.04 * (ball / 2) ** 3 * 0.35 * ball / 1.5e-4
     share = np.minimum(np.hypot(found["ring_x"], found["ring_y"])[:, 2] / 2e-4, 0.99)
     radius = pitch / 2 + 0.3 * ball
-    # a disc; the oil share X follows from the level of the oil bath
+    # drag on a disc; the oil fraction X follows from the level of the oil bath
     disc = 0.5 * 870 * cage**3 * radius**5 * 3.87 / np.sqrt(870 * cage * radius**2 / 0.04)
     power = dict(
         shear=couple * ((found["ball_omegaz"] - cage[:, None]) ** 2).sum(axis=1),
@@ -308,16 +314,16 @@ def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
 
 def share_below(level, pitch):
     """Return the mean submerged fraction of a ball if the oil level is `level` ball diameters above
-    the lowest point of the raceway; `pitch` is the ratio of pitch radius to ball radius."""
+    the lowest point of the raceway; `pitch` is the ratio of the pitch radius to the ball radius."""
     turn = np.linspace(0, 2 * np.pi, 3601)[:-1]
     depth = np.clip(pitch * (np.cos(turn) - 1) - 1 + 2 * level, -1, 1)
     return ((1 + depth) ** 2 * (2 - depth) / 4).mean()
 
 
 def test_a_cage_under_moments_bears_what_statics_estimates(tmp_path):
-    """Balls that would run ahead by ten times the play press on the cage through their traction.
-    The largest force also includes impacts. The load is along -y in the run and along x in
-    statics."""
+    """Balls that would run ahead by ten times the play press on the cage with a force limited by
+    their traction. The largest force also includes impacts. The load is along -y in the run and
+    along x in statics."""
     point = dict(load=3500.0, axial=5000.0, rpm=1500.0)
     found = dict(bearing="7208B", moment_x=25, moment_y=15, settle=1, passes=2)
     succeed("inputs/in.cage_ring", out=tmp_path, **found, **point)
@@ -368,7 +374,8 @@ def test_ranks_hosts_and_restarts_keep_bits(tmp_path, integrator, guide):
 @pytest.mark.parametrize("integrator", BOTH)
 @pytest.mark.parametrize("fall", ["1 0 0", "0 -1 0", "0 0 1"])
 def test_a_cage_bears_gravity(tmp_path, integrator, fall):
-    """At 30 rad/s the weight of balls and cage is several times their centrifugal force."""
+    """At 30 rad/s, the weight of the balls and the cage is several times their centrifugal
+    force."""
     span = dict(span=0.05) | ({"dt": 4e-7} if integrator == "verlet" else {})
     _, cage = scene(
         tmp_path,
@@ -387,10 +394,10 @@ def test_a_cage_bears_gravity(tmp_path, integrator, fall):
 @pytest.mark.parametrize("fall", ["1 0 0", "0 1 0", "-1 0 0", "0 -1 0"])
 @pytest.mark.parametrize("speed", [1, 100, 1000])
 def test_no_ball_leaves_its_pocket_under_gravity(tmp_path, speed, fall):
-    """A run ends if a ball is beyond a wall of its pocket by a tenth of its radius. This run covers
-    two ball passes at 1 rad/s; the test above covers a turn of the cage. The cage hangs on two
-    balls, at most one spacing apart, which can leave the pitch circle by the clearance; the walls
-    deform."""
+    """A run stops if a ball moves beyond a wall of its pocket by a tenth of the ball radius. This
+    run covers two ball passes at 1 rad/s; the test above covers a turn of the cage. The cage hangs
+    on two balls that are at most one spacing apart. These balls can leave the pitch circle by the
+    clearance, and the walls deform."""
     passes = 2 if speed == 1 else 9
     _, cage = scene(
         tmp_path,

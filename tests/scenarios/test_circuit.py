@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/circuit agrees with the Python package, which uses the record of the same run; events
-and rejected input are tested as well."""
+"""The results of fix bearing/circuit agree with those that the Python package computes from the
+record of the same run; events and rejected input are tested too."""
 
 import shutil
 
@@ -17,7 +17,7 @@ from raceway.electric.waveforms import CommonMode, Constant, Sine, Table
 from raceway.errors import RunError
 from raceway.runs.columns import _TABLES
 
-# scenes with few steps, evaluated in C++ and in Python
+# these scenes have few steps, and are evaluated both in C++ and in Python
 pytestmark = pytest.mark.filterwarnings("ignore:films fail late")
 SAMPLES = 120
 NAMES = [row["name"] for row in _TABLES["fix_circuit"]]
@@ -68,7 +68,7 @@ CASES = {
     ),
 }
 WHOLE = dict(cap="surroundings cavitated 1", clearance=2e-5)
-WITHIN = 4  # samples per step in the case with instants within steps
+WITHIN = 4  # samples per step, in the case with instants within steps
 
 
 FAST = "x free y free spin speed 150 force 0 -800 0 ramp 3.0e-3"
@@ -77,8 +77,8 @@ RECORD = "fix rec all bearing/record 1 {}\n"
 
 
 def run_with(folder, words, more="", samples=SAMPLES, record=RECORD, cap="", **options):
-    """Run in.case in `folder` with a record and a circuit with the keywords `words`, and return the
-    `Outcome`."""
+    """Run in.case in `folder` with a record and with a circuit that has the keywords `words`, and
+    return the `Outcome`."""
     folder.mkdir(exist_ok=True)
     (folder / "table.txt").write_text("# s V\n0 0\n2e-3 40\n5e-3 -25 # the end\n")
     values = "".join(f"variable v{k} equal f_cir[{k}]\n" for k in range(1, len(NAMES) + 1))
@@ -96,7 +96,7 @@ def run_with(folder, words, more="", samples=SAMPLES, record=RECORD, cap="", **o
 
 @pytest.fixture(scope="module", params=CASES)
 def pair(request, tmp_path_factory):
-    """Return (rows of the fix by name, rows of its events, the `Result` from Python) for one
+    """Return (rows of the fix by name, rows of its events, the `Result` computed in Python) for one
     run."""
     words, outer, breakdown, leak, points = CASES[request.param]
     folder = tmp_path_factory.mktemp("circuit")
@@ -124,7 +124,7 @@ def pair(request, tmp_path_factory):
 
 
 def test_the_fix_gives_the_numbers_of_python(pair):
-    """The numbers agree at every sample except the first, which LIGGGHTS does not print."""
+    """The values agree at every sample except the first, which LIGGGHTS does not print."""
     rows, _, (data, events), points = pair
     on_films = float(np.abs(data.film_capacitance * data.film_voltage).max())
     step = float(data.time.diff("time").min())
@@ -138,16 +138,16 @@ def test_the_fix_gives_the_numbers_of_python(pair):
             ours = np.searchsorted(events.time, data.time, "right")
         else:
             ours = data[name].to_numpy() if name in data else np.zeros(data.sizes["time"])
-            ours = np.where(np.isinf(ours), 0.0, ours)  # infinite if no film can fail
+            ours = np.where(np.isinf(ours), 0.0, ours)  # values are infinite if no film can fail
         scale = 1e-9 * np.abs(ours).max()
-        if name == "current":  # the films' charges cancel, but the ring's charge remains
+        if name == "current":  # the charges of the films cancel, that of the ring does not
             scale = max(scale, 1e-13 * on_films / step)
         np.testing.assert_allclose(rows[name], ours, rtol=1e-9, atol=scale, err_msg=name)
 
 
 def test_metal(tmp_path):
-    """Films with asperity contact conduct, both in the fix and in Python. An asperity fraction of
-    0.1 distinguishes them from other films."""
+    """Films with asperity contact conduct, both in the fix and in Python. A limit of 0.1 for the
+    asperity fraction separates them from the other films."""
     here = tmp_path / "here"
     shutil.copytree(ROOT / "tests/implicit", here, ignore=shutil.ignore_patterns("__pycache__"))
     contact = here / "contact.film"
@@ -194,7 +194,7 @@ def test_the_events_are_those_of_python(pair):
 
 
 def test_current_of_a_failure(pair):
-    """The peak current flows through the arc, the duration follows from the charge, and the current
+    """The peak current is limited by the arc, the duration follows from the charge, and the current
     density refers to the total Hertz area."""
     _, rows, (_, events), _ = pair
     if "current" not in rows:

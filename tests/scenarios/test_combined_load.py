@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The simulation agrees with statics for a ring that is free to tilt, under radial and axial load
-with moments, and for imposed tilts.
+"""The simulation agrees with statics for a ring that is free to tilt under radial load, axial load
+and moments, and for imposed tilts.
 
-In statics the circle of the groove stays a circle (`finite_shift`), as in the simulation. Statics
-neglects friction, so the scenes have no friction: a friction coefficient of 0.05 to 0.12 changes
-loads by 1.3 % of the largest load, and a tenth of this friction by 0.4 %. The remaining difference
-comes from film damping, because balls and ring move as the balls pass; it grows with the speed.
+In statics the circle of the groove remains a circle (`finite_shift`), as in the simulation. Because
+statics neglects friction, the scenes have no friction: a friction coefficient of 0.05 to 0.12 would
+change loads by 1.3 % of the largest load, and a tenth of this friction by 0.4 %. The remaining
+difference is due to film damping, because balls and ring move as the balls pass; it increases with
+the speed.
 """
 
 import numpy as np
@@ -22,7 +23,7 @@ HELD = dict(radial_load=2000.0, axial_load=1000.0, held={"rx": TILT, "ry": 0.0},
 
 
 def words(case):
-    """Return the variables of the deck for a case given as keywords of `static.equilibrium`."""
+    """Return the deck variables for a case that is given as keywords of `static.equilibrium`."""
     moment = case.get("moment", (0.0, 0.0))
     result = dict(
         load=case["radial_load"],
@@ -39,8 +40,8 @@ def words(case):
 
 
 def samples(folder, case, every=4):
-    """Return (row of ring.dat, contact loads (2, Z), `Equilibrium`) for every `every`-th sample.
-    The `Equilibrium` has the azimuths and the orbital speed of the balls in the sample."""
+    """Return (row of ring.dat, contact loads (2, Z), `Equilibrium`) for every `every`-th sample,
+    where the `Equilibrium` uses the azimuths and the orbital speed of the balls in this sample."""
     bearing = inputs.bearing(ROOT / "inputs/bearings/6208")
     contacts, balls = frames(folder / "contacts.dump"), frames(folder / "balls.dump")
     for row in np.loadtxt(folder / "ring.dat")[::every]:
@@ -63,21 +64,21 @@ def samples(folder, case, every=4):
         yield row, load, state
 
 
-# speed in rad/s; largest error of a contact load relative to the largest load; largest relative
+# speed in rad/s; largest error of a contact load, relative to the largest load; largest relative
 # errors of displacement and tilt
 @pytest.mark.parametrize(
     "name, case, speed, sample, load, shift, tilt",
     [
-        # required bounds: 0.2 %, 0.2 %, 1 %; measured 4.2e-4, 7.8e-5, 3.4e-4
+        # required: 0.2 %, 0.2 %, 1 %; measured: 4.2e-4, 7.8e-5, 3.4e-4
         ("combined", COMBINED, 50, 1e-3, 2e-3, 2e-3, 1e-2),
-        # the balls move ten times more slowly: measured 1.1e-4, 1.2e-5, 3.2e-5
+        # the balls move at a tenth of the speed; measured: 1.1e-4, 1.2e-5, 3.2e-5
         ("combined, slow", COMBINED, 5, 1e-2, 4e-4, 1e-4, 2e-4),
-        # measured 3.5e-4, 3.8e-4, 2.0e-4
+        # measured: 3.5e-4, 3.8e-4, 2.0e-4
         ("preload and moment", PRELOAD, 50, 1e-3, 2e-3, 2e-3, 1e-2),
-        # steady as the balls pass: measured 9e-6, 3e-6; the tilt should be zero and is 5e-8 rad,
-        # which is the step's error of 1 nm divided by 30 mm
+        # the state is steady as the balls pass; measured: 9e-6, 3e-6; the tilt should be zero and
+        # is 5e-8 rad, which corresponds to the step error of 1 nm divided by 30 mm
         ("axial", AXIAL, 50, 1e-3, 1e-4, 1e-4, 2e-7),
-        # measured 5.4e-4, 4.9e-4; the tilt is imposed
+        # measured: 5.4e-4, 4.9e-4; the tilt is imposed
         ("20 arc-minutes", HELD, 50, 1e-3, 2e-3, 2e-3, 1e-9),
     ],
 )
@@ -101,8 +102,8 @@ def test_combined_load(tmp_path, name, case, speed, sample, load, shift, tilt):
 
 
 def test_every_ball_at_its_own_load(tmp_path):
-    """At 5 rad/s the load of each contact agrees with the static load of the same contact within
-    0.2 % (measured 7.3e-4); all contacts carry more than 50 N."""
+    """At 5 rad/s, the load of each contact agrees with the static load of the same contact within
+    0.2 % (measured: 7.3e-4); all contacts carry more than 50 N."""
     succeed(DECK, out=tmp_path, speed=5, sample=1e-2, **words(COMBINED))
     for _, found, state in samples(tmp_path, COMBINED):
         theory = np.array([state.inner.load, state.outer.load])
@@ -112,7 +113,7 @@ def test_every_ball_at_its_own_load(tmp_path):
 
 def test_moment_that_holds_a_tilt(tmp_path):
     """A tilt of 20 arc-minutes is imposed. The moment of the contacts on the ring, 65 N m, agrees
-    with statics within 0.1 % (measured 5e-5)."""
+    with statics within 0.1 % (measured: 5e-5)."""
     succeed(DECK, out=tmp_path, **words(HELD))
     for row, _, state in samples(tmp_path, HELD):
         assert row[9:11] == pytest.approx(state.moment[:2], abs=1e-3 * np.hypot(*state.moment[:2]))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""In docs/decks/in.double_row, two preloaded rows under a force, a thrust and a moment agree with
-statics."""
+"""In docs/decks/in.double_row, two preloaded rows under a radial force, a thrust and a moment agree
+with statics."""
 
 import numpy as np
 import pytest
@@ -19,8 +19,8 @@ ARRANGEMENTS = {
 
 @pytest.fixture(scope="module")
 def rows(tmp_path_factory):
-    """Return {arrangement: (y in m, z in m, tilt in rad)} as means over the last 15 ms, which is
-    most of a ball pass."""
+    """Return {arrangement: (y in m, z in m, tilt in rad)}, where the values are means over the last
+    15 ms, i.e. over most of a ball pass."""
     found = {}
     for name, variables in ARRANGEMENTS.items():
         folder = tmp_path_factory.mktemp(name)

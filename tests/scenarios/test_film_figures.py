@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""With resistivity, frequency and strength, fix bearing/capacitance gives the same leakage,
-impedance, threshold, energy and Hertz area as the Python package from the record of the same run
-(T11)."""
+"""If resistivity, frequency and strength are given, the leakage, impedance, threshold, energy and
+Hertz area from fix bearing/capacitance agree with those that the Python package computes from the
+record of the same run (T11)."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,8 @@ ASK = Ask(strength=STRENGTH, frequency=HERTZ, resistivity=RHO)
 
 
 def measured(folder, words, record=True, samples=60):
-    """Return (columns of the fix's file by name, the run, or None without a record)."""
+    """Return (columns of the fix's file by name, the run), where the run is None without a
+    record."""
     folder.mkdir()
     (folder / "more").write_text(
         f"fix cap balls bearing/capacitance 1 permittivity {EPS} {words} file {folder}/totals.txt\n"
@@ -53,14 +54,14 @@ def test_the_fix_gives_the_numbers_of_python(pair):
     parts = found["plates"] + found["around"] + found["unloaded"]
     np.testing.assert_allclose(parts, rows["capacitance_total"], rtol=1e-10)
     np.testing.assert_allclose(found["plates"], rows["capacitance"], rtol=1e-10)
-    # at the threshold the largest field equals the strength
+    # at the threshold, the largest field equals the electric strength
     at = film_figures.over_time(of, whole, ASK._replace(voltage=float(found["threshold"][9])))
     assert float(at["field"][9]) == pytest.approx(STRENGTH, rel=1e-12)
 
 
 def test_impedance_is_that_of_the_whole(pair):
-    """Far above the corner frequency only the capacitance matters, and far below it only the
-    leakage."""
+    """Far above the corner frequency only the capacitance determines the impedance, and far below
+    it only the leakage."""
     _, of = pair
     whole = whole_capacitance.over_time(of)
     z = film_figures.spectrum(whole, np.array([1e-4, 1e8]), RHO)
@@ -71,8 +72,8 @@ def test_impedance_is_that_of_the_whole(pair):
 
 
 def test_one_fill_relaxes_with_its_resistivity(tmp_path):
-    """At the first sample there is no contact yet and the bearing is flooded, so R C = rho eps_0
-    eps."""
+    """At the first sample there is no contact yet and the bearing is flooded, so that
+    R C = rho eps_0 eps."""
     rows, _ = measured(tmp_path / "run", f"surroundings flooded {ASKED}", False, 1)
     none = rows["capacitance"] == 0
     assert none[0] and rows["hertz_area"][0] == 0
@@ -81,8 +82,8 @@ def test_one_fill_relaxes_with_its_resistivity(tmp_path):
 
 
 def test_plates_alone_and_a_background(tmp_path):
-    """Without surroundings a ball without contact is an open circuit. The background capacitance is
-    in parallel with the films."""
+    """Without surroundings, a ball that is not in contact is an open circuit. The background
+    capacitance is in parallel with the films."""
     rows, of = measured(tmp_path / "run", f"background {BESIDE} {ASKED}")
     whole = of.contacts
     area = np.pi * (whole["a"] * whole["b"]).fillna(0.0).sum(("raceway", "ball"))
@@ -101,7 +102,7 @@ def test_plates_alone_and_a_background(tmp_path):
 
 
 def test_instants_have_them(tmp_path):
-    """The last instant of a step equals a sample at the end of the step."""
+    """The values at the last instant of a step equal those of a sample at the end of the step."""
     words = f"surroundings dry {ASKED}"
     one, _ = measured(tmp_path / "one", words, False, 6)
     many, _ = measured(tmp_path / "many", f"within 5 {words}", False, 6)

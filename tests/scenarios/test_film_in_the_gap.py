@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs with the models `film` agree with statics that include the film in the gap (written
-independently in Python). Light loads, both integrators and the longest explicit step are tested."""
+"""Runs with the models `film` agree with statics that include the film in the gap, which is
+implemented independently in Python. Light loads, both integrators and the longest explicit step are
+tested."""
 
 import re
 
@@ -14,8 +15,8 @@ from raceway.theory.bearing import INNER
 
 from scenarios import closed_forms
 
-# bounds of the differences between the quasi-static run and statics, as means over balls and
-# samples: relative to the effect of the film, or to the total value
+# bounds on the differences between the quasi-static run and statics, which are means over balls and
+# samples: relative to the effect of the film, and relative to the total value
 OF_THE_EFFECT, OF_THE_WHOLE = 0.1, 3e-4
 
 
@@ -26,8 +27,8 @@ def film_of(tables):
 
 @pytest.mark.parametrize("rpm, every", [(48, 8), (477.5, 40), (1910, 40), (9549, 40)])
 def test_displacement_and_loads(tmp_path, rpm, every):
-    """The mean radial displacement agrees with statics, as do the means over samples of the largest
-    and of the third largest load."""
+    """The mean radial displacement agrees with statics, and so do the means over samples of the
+    largest and the third largest load."""
     succeed("inputs/in.6208", out=tmp_path, rpm=rpm, models="film", tolerance=1e-8, passes=2)
     tables = RunTables(tmp_path)
     film = film_of(tables)
@@ -47,13 +48,13 @@ def test_displacement_and_loads(tmp_path, rpm, every):
     effect = thin - dry
     allowed = np.maximum(OF_THE_EFFECT * np.abs(effect), OF_THE_WHOLE * np.abs(dry))
     assert np.all(np.abs(found - thin) <= allowed), (found / thin - 1, effect / dry)
-    assert effect[0] < 0 and effect[2] > 0  # the displacement decreases, outer balls take more load
+    assert effect[0] < 0 and effect[2] > 0  # less displacement, more load on outer balls
 
 
 @pytest.mark.parametrize("gap_film", ["power", "moes"])
 def test_light_load_rolls(tmp_path, gap_film):
-    """Under 50 N at 9549 rpm the centrifugal force lifts the balls off the inner raceway, and the
-    film in the gap drives them."""
+    """Under 50 N at 9549 rpm, the centrifugal force lifts the balls off the inner raceway, and they
+    are driven by the film in the gap."""
     case = {"load": 50, "rpm": 9549, "models": "film", "gap_film": gap_film}
     succeed("inputs/in.6208", out=tmp_path, settle=4, passes=3, **case)
     tables = RunTables(tmp_path)
@@ -63,9 +64,9 @@ def test_light_load_rolls(tmp_path, gap_film):
 
 
 def test_both_integrators(tmp_path):
-    """With the film branch and the film in the gap, velocity Verlet and the implicit step give the
-    same mean displacement and the same largest load. Their friction laws differ: one has a
-    tangential spring, the other smoothed Coulomb friction."""
+    """With the film branch and the film in the gap, velocity Verlet and the implicit integrator
+    give the same mean displacement and the same largest load, although one uses friction with a
+    tangential spring and the other smoothed Coulomb friction."""
     figures = []
     for integrator in ("verlet", "implicit"):
         case = {"integrator": integrator, "rpm": 5000, "passes": 1, "models": "film"}
@@ -115,8 +116,8 @@ FULL = (
 
 @pytest.fixture
 def fixed_step(tmp_path):
-    """Return a function that returns the exit code of a run and its rows (step number, largest
-    load, limit of the step, friction power)."""
+    """Return a function that runs a deck with a fixed step and returns (exit code, rows (step
+    number, largest load, limit of the step, friction power))."""
     deck = tmp_path / "in.longest"
     deck.write_text(LONGEST)
 
@@ -133,10 +134,11 @@ def fixed_step(tmp_path):
 @pytest.mark.parametrize("rpm", [48, 477.5, 1910])
 def test_longest_explicit_step(fixed_step, rpm):
     """At 98 % of the limit of fix bearing/timestep the loads stay bounded; at 125 % they do not.
-    The ring is held such that a ball carries about 2.4 kN; friction and other dampers are off."""
+    The ring is held at a position where one ball carries about 2.4 kN; friction and other dampers
+    are off."""
     _, rows = fixed_step(1e-7, rpm)
     limit = rows[:, 2].min()
-    assert limit > 4e-6  # with the film damper of eq 5 the limit is 0.02 to 0.9 us
+    assert limit > 4e-6  # the film damper of eq 5 would limit it to 0.02 to 0.9 us
     code, rows = fixed_step(0.98 * limit, rpm)
     assert code == 0 and rows[:, 1].max() < 2 * rows[0, 1]
     code, rows = fixed_step(1.25 * limit, rpm)
@@ -145,10 +147,10 @@ def test_longest_explicit_step(fixed_step, rpm):
 
 @pytest.mark.parametrize("rpm, within", [(48, 5e-3), (477.5, 1e-3), (1910, 1e-3)])
 def test_longest_explicit_step_with_all_parts(fixed_step, rpm, within):
-    """At the limit of fix bearing/timestep the friction loss is the same as with a step of 1 us. At
-    125 % of the limit the tangential springs oscillate until they slide. At 48 rpm the initial
-    oscillation lasts some milliseconds and is larger with a longer step: in the second 2 ms the
-    difference is 2e-3 with a step of 4 us and 4e-3 at the limit."""
+    """At the limit of fix bearing/timestep, the friction loss is the same as with 1 us steps. At
+    125 % of the limit, the tangential springs oscillate until they slide. At 48 rpm the initial
+    oscillation lasts for some milliseconds, and a longer step makes it larger: during the second 2
+    ms the difference is 2e-3 with 4 us steps and 4e-3 at the limit."""
 
     def power(step):
         code, rows = fixed_step(step, rpm, FULL, int(4e-3 / step))

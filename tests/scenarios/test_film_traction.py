@@ -12,12 +12,12 @@ from raceway.runs.tables import RunTables
 from raceway.theory import skidding, steady_heat
 
 OIL = {"rpm": 9549, "lubricant": "vg46", "temperature": 94.5}
-# options that leave out the parts that keep balls from rolling freely
+# options that leave out the parts of the model that keep balls from rolling freely
 PUSHED = {"without": "drag+rolling+rolling_hysteresis", "cage": "no"}
 
 
 def of_statics(models, rotation=skidding.rotation):
-    """Return the slip loss in W: (mean, half the range) over the positions of the balls."""
+    """Return (mean, half the range) of the slip loss in W over the positions of the balls."""
     scene = steady_heat.Case("6208", "vg46", load=5000.0, rpm=9549.0, models=models).scene()
     passing = []
     for phase in np.arange(4) * np.pi / 18:
@@ -30,7 +30,7 @@ def of_statics(models, rotation=skidding.rotation):
 
 @pytest.fixture(scope="module")
 def found(tmp_path_factory):
-    """Return the slip loss of runs in W, by models; in runs with `free` in the name, only traction
+    """Return {models: slip loss of the run in W}; in runs with `free` in the name, only traction
     drives the balls."""
     result = {}
     for models in ("full", "eyring"):
@@ -43,8 +43,8 @@ def found(tmp_path_factory):
 
 @pytest.mark.parametrize("models", ["full", "eyring"])
 def test_sliding_is_that_of_statics(found, models):
-    """At 9549 rpm without drag, rolling resistance and cage, the sliding loss agrees with statics
-    within its range over the positions of the balls; with all parts it agrees within 5 %."""
+    """At 9549 rpm without drag, rolling resistance and cage, the sliding loss of a run lies within
+    the range of statics over the positions of the balls; with all parts it agrees within 5 %."""
     statics, places = of_statics(models, lambda slowing, rate, time: 1.0)
     within = places if models == "eyring" else 1e-2 * statics
     assert found[f"free {models}"] == pytest.approx(statics, rel=0, abs=within)
@@ -56,8 +56,8 @@ def test_coulomb_slides_more(found):
 
 
 def test_dry_and_oil_without_the_numbers(tmp_path):
-    """For dry contacts `eyring` equals `full`. An oil without an Eyring stress has the default
-    value."""
+    """For dry contacts, `eyring` is equivalent to `full`. If an oil has no Eyring stress, the
+    default value is used."""
     short = {"passes": 1, "samples": 20, "rpm": 9549}
     succeed("inputs/in.dry", out=tmp_path / "dry", models="eyring", **short)
     oil = (ROOT / "inputs/lubricants/vg46").read_text()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ball moves over flaws of an outer raceway: its path agrees with the path of a rigid ball, and
-its energy balance closes."""
+"""A ball moves over flaws on an outer raceway. Its path agrees with that of a rigid ball, and its
+energy is balanced."""
 
 import re
 
@@ -10,15 +10,15 @@ from host import ROOT, frames, liggghts, succeed
 
 DECK = "tests/scenarios/in.flaw"
 RACEWAY, BALL, ORBIT = 36.6e-3, 6.3e-3, 30.3e-3  # m
-ROLLING = BALL * (1 + BALL / ORBIT)  # m, effective radius along rolling
+ROLLING = BALL * (1 + BALL / ORBIT)  # m, effective radius in the rolling direction
 BOTTOM = -np.pi / 2
 MASS = 7800 * 4 / 3 * np.pi * BALL**3  # kg
-EDGE = 5e-6  # edge radius, m; it is small because the closed forms assume sharp edges
+EDGE = 5e-6  # m, edge radius; it is small because closed-form solutions assume sharp edges
 MOVERS = {
     "verlet": {},
     "implicit": {"mover": "all bearing/implicit tolerance 1.0e-11"},
 }
-# slow, and damped by the steel: the ball moves as if ball and raceway were rigid
+# slow motion, damped by the steel: the ball moves as if ball and raceway were rigid
 SLOW = dict(speed=0.03, field=200, damping="hysteresis 0.3", azimuth=BOTTOM - 0.03, sink=2.46e-7)
 QUICK = {
     "verlet": dict(step=1e-6, steps=40000, every=20),
@@ -31,8 +31,8 @@ def notch(length, depth, width="full", edge=EDGE, azimuth=BOTTOM):
 
 
 def rolled(folder, flaw, by="verlet", **variables):
-    """Return the columns of ball.dat: time (s), path of the contact along the raceway (m, from the
-    bottom), drop (m), radial velocity (m/s), and energies (J)."""
+    """Return the columns of ball.dat: time (s), path of the contact along the raceway, measured
+    from the bottom (m), drop (m), radial velocity (m/s), and energies (J)."""
     folder.mkdir(exist_ok=True)
     given = {**MOVERS[by], **variables}
     succeed(DECK, out=folder, flaw=flaw, **given)
@@ -53,14 +53,14 @@ def rolled(folder, flaw, by="verlet", **variables):
 @pytest.mark.parametrize("mover", MOVERS)
 @pytest.mark.parametrize("length", [0.7e-3, 1e-3])
 def test_narrow_notch(tmp_path, mover, length):
-    """The ball does not reach the bottom of the notch. It falls by w^2/(8 R_x) in the middle, half
-    a length after the fall began; there the speed of its centre jumps by v w/R_x."""
+    """The ball does not reach the bottom of the notch. In the middle it has fallen by w^2/(8 R_x),
+    half a length after the fall began; at this point the speed of its centre jumps by v w/R_x."""
     b = rolled(tmp_path, notch(length, 1e-3), mover, **SLOW, **QUICK[mover])
     assert b["drop"].max() == pytest.approx(length**2 / (8 * ROLLING), rel=0.02)
     speed = np.gradient(b["path"], b["t"])
     turn = np.argmax(b["drop"])
     assert abs(b["path"][turn]) < 0.02 * length / 2
-    # from parabolas fitted to both flanks
+    # computed from parabolas that are fitted to both flanks
     half = length / 2
     jump = 0.0
     for side in (-1, 1):
@@ -72,8 +72,8 @@ def test_narrow_notch(tmp_path, mover, length):
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_bottom(tmp_path, mover):
-    """A ball reaches the bottom of a long notch at a distance of sqrt(2 R_x d) from the edge and
-    then rolls on the bottom."""
+    """A ball reaches the bottom of a long notch at a distance of sqrt(2 R_x d) from the edge, and
+    then rolls along the bottom."""
     length, depth = 1.5e-3, 5e-6
     b = rolled(tmp_path, notch(length, depth), mover, **SLOW, **QUICK[mover])
     flat = np.abs(b["path"]) < 0.3e-3
@@ -89,7 +89,7 @@ def test_deeper_than_the_ball_reaches_changes_nothing(tmp_path):
 
 
 def test_converges_with_the_step(tmp_path):
-    """Until the ball bounces off the far flank, velocity Verlet converges with second order."""
+    """Until the ball bounces off the far flank, the error of velocity Verlet is of second order."""
     last = []
     for k, step in enumerate((4e-7, 2e-7, 1e-7, 1e-8)):
         b = rolled(
@@ -117,8 +117,8 @@ def test_converges_with_the_step(tmp_path):
 )
 @pytest.mark.parametrize("mover", MOVERS)
 def test_energy(tmp_path, mover, flaw):
-    """Without friction the energy of a ball that moves over a flaw is constant, to 1e-6 of its
-    kinetic energy."""
+    """Without friction, the energy of a ball that moves over a flaw is constant to within 1e-6 of
+    its kinetic energy."""
     steps = {
         "verlet": dict(step=1e-7, steps=90000, every=300),
         "implicit": dict(
@@ -131,9 +131,9 @@ def test_energy(tmp_path, mover, flaw):
 
 
 def test_energy_of_a_ball_that_turns_over_its_own_flaws(tmp_path):
-    """The ball has a pit narrower than the ellipse and off its middle, a wave and a tabulated
-    profile, all off the equator. The spin supplies the energy of the motion. Both integrators give
-    the same path."""
+    """The ball has a pit that is narrower than the ellipse and off its middle, a wave and a
+    tabulated profile, all of them off the equator. The spin supplies the energy for the motion.
+    Both integrators give the same path."""
     azimuth = np.arange(4000) * 2 * np.pi / 4000
     np.savetxt(tmp_path / "table.txt", np.c_[azimuth, 2e-7 * np.sin(7 * azimuth)])
     steps = {
@@ -165,8 +165,8 @@ def test_energy_of_a_ball_that_turns_over_its_own_flaws(tmp_path):
 
 @pytest.mark.parametrize("mover", ["moving nve/sphere", "all bearing/implicit"])
 def test_orientation_of_a_ball(tmp_path, mover):
-    """For a ball with constant spin, the columns of compute bearing/ball agree with the closed
-    form."""
+    """For a ball with constant spin, the columns of compute bearing/ball agree with the closed-form
+    solution."""
     deck, spin, step = tmp_path / "in.turn", np.array([300.0, 0.0, 400.0]), 1e-6
     names = "turn_w turn_x turn_y turn_z"
     deck.write_text(
@@ -180,7 +180,7 @@ def test_orientation_of_a_ball(tmp_path, mover):
         )
     )
     out = tmp_path / "out"
-    far = "ball pit 0 1.4 1e-4 1e-4 1e-4 1e-5"  # never in contact
+    far = "ball pit 0 1.4 1e-4 1e-4 1e-4 1e-5"  # this pit is never in contact
     words = dict(flaw_ball=far, turning=spin[2], tumbling=spin[0], step=step, steps=5000)
     succeed(deck, out=out, mover=mover, azimuth=BOTTOM, speed=0, **words)
     found = frames(out / "turn.dump")
@@ -202,8 +202,8 @@ def test_orientation_needs_a_profile_of_balls(tmp_path):
 
 @pytest.mark.parametrize("latitude, share", [(0.0, 1.0), (0.5, 0.0)])
 def test_pit_of_a_ball(tmp_path, latitude, share):
-    """A ball that rotates slowly in place falls by w^2/(8 R_x) when the pit passes the contact. If
-    the pit misses the contact, the ball does not fall, and vibrates by less than 0.1 um."""
+    """A ball that rotates slowly in place drops by w^2/(8 R_x) when the pit passes the contact. If
+    the pit misses the contact, the ball does not drop, and vibrates by less than 0.1 um."""
     length = 0.7e-3
     b = rolled(
         tmp_path,
@@ -218,7 +218,7 @@ def test_pit_of_a_ball(tmp_path, latitude, share):
 
 
 def test_flaw_turns_with_its_ring(tmp_path):
-    """A ball rests at the bottom without friction, and a flaw of the ring passes it at 10 rad/s."""
+    """A ball rests at the bottom without friction, and a flaw on the ring passes it at 10 rad/s."""
     b = rolled(
         tmp_path,
         notch(1e-3, 1e-3, azimuth=BOTTOM - 0.03),
@@ -235,7 +235,7 @@ def test_flaw_turns_with_its_ring(tmp_path):
 
 
 def test_table(tmp_path):
-    """Tables of measured points describe a wave, and a slot that the ball bridges."""
+    """Tables of measured points describe a wave, and a slot that is bridged by the ball."""
     azimuth = np.arange(20000) * 2 * np.pi / 20000
     tables = {
         "wave": 1e-7 * np.cos(31 * azimuth),
@@ -253,7 +253,7 @@ def test_table(tmp_path):
     }
     wave, table = found["wave"]["drop"], found["file"]["drop"]
     assert np.abs(wave - table).max() < 1e-3 * np.abs(wave).max()
-    # the ball rests on the last points outside the slot
+    # the ball rests on the last points on both sides of the slot
     length = RACEWAY * (1 + np.sum(tables["slot"] > 0)) * azimuth[1]
     assert found["slot"]["drop"].max() == pytest.approx(length**2 / (8 * ROLLING), rel=0.02)
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/shaft flexible: a flexible shaft on two 6208s agrees with a beam that keeps all its
-nodes.
+"""fix bearing/shaft flexible: a flexible shaft on two 6208s agrees with a beam in which all nodes
+are retained.
 
 The shaft extends along z from 0 to 0.3 m; its bearings are at 0 and 0.2 m.
 """
@@ -56,7 +56,7 @@ def reduced(steel=beam.STEEL, damping=0.0):
 
 @pytest.fixture(scope="module")
 def file(tmp_path_factory):
-    """Write the file of the shaft without damping."""
+    """Write the file of the shaft without damping, and return its path."""
     path = tmp_path_factory.mktemp("file") / "shaft.modes"
     bending_file.write(path, reduced())
     return path
@@ -71,7 +71,7 @@ def damped(tmp_path_factory):
 
 # ---- compared with the beam
 def on_bearings(z, whole, stiffness):
-    """Return springs (5 N, 5 N) that represent both bearings."""
+    """Return the stiffness matrix (5 N, 5 N) of springs that represent both bearings."""
     springs = np.zeros_like(whole.stiffness)
     for place in (0.0, 0.2):
         at = 5 * node(z, place) + np.arange(5)
@@ -80,10 +80,10 @@ def on_bearings(z, whole, stiffness):
 
 
 def stiffness_of(clearance):
-    """Return the stiffness (5, 5) of a bearing under preload alone; the shaft does not slide in the
-    bearing."""
+    """Return the stiffness (5, 5) of a bearing under preload alone, for a shaft that does not slide
+    in the bearing."""
     held = dict.fromkeys(static.FREEDOMS, 0.0)
-    # a ring tilted by t moves the centre of its groove inwards by R t^2/2, against the preload
+    # if a ring tilts by t, the centre of its groove moves inwards by R t^2/2, against the preload
     state = static.equilibrium(B6208, held=held, clearance=clearance, finite_shift=True)
     stiffness = state.stiffness.copy()
     stiffness[2, 2] = 1e12
@@ -91,9 +91,9 @@ def stiffness_of(clearance):
 
 
 def test_bending_pairs(tmp_path, file):
-    """Free vibration on preloaded bearings: the first pair of frequencies agrees within 1e-3 with a
-    beam on springs with the stiffness of the bearings, the second pair within 5e-3. The spin splits
-    both pairs."""
+    """In free vibration on preloaded bearings, the first pair of frequencies agrees within 1e-3
+    with a beam on springs that have the stiffness of the bearings, and the second pair within 5e-3.
+    The spin splits both pairs."""
     spin, clearance = 2000.0, 2 * PRELOAD
     data, _ = swing(
         tmp_path,
@@ -110,10 +110,10 @@ def test_bending_pairs(tmp_path, file):
     signals = [data["x"] + 1j * data["y"], 0.1 * (data["ry"] - 1j * data["rx"])]
     signals += [data[f"x{ring}"] + 1j * data[f"y{ring}"] for ring in (1, 2)]
     found = frequencies_of(np.array(signals), data["time"][1] - data["time"][0], 12)
-    # the disc whirls first backward, then forward
+    # the disc whirls backward first, then forward
     for k, (sign, error) in enumerate([(-1, 1e-3), (1, 1e-3), (-1, 5e-3), (1, 5e-3)]):
         assert np.abs(sign * found / exact[k] - 1).min() < error
-    assert exact[1] / exact[0] > 1.05 and exact[3] / exact[2] > 1.5  # the frequencies differ enough
+    assert exact[1] / exact[0] > 1.05 and exact[3] / exact[2] > 1.5  # they differ enough
 
 
 STEADY = [shaft.Load(0.12, (0.0, -800.0, 0.0)), shaft.Load(0.3, (100.0, -200.0, 0.0))]
@@ -121,8 +121,8 @@ STEADY = [shaft.Load(0.12, (0.0, -800.0, 0.0)), shaft.Load(0.3, (100.0, -200.0, 
 
 @pytest.fixture(scope="module")
 def resting(tmp_path_factory, damped):
-    """Return the shaft at rest under loads at the disc and at the overhung end, found by backward
-    Euler with long steps."""
+    """Return the shaft in equilibrium under loads at the disc and at the overhung end, found by
+    backward Euler with long steps."""
     loads = " ".join(f"load {one.at} {one.force[0]} {one.force[1]} 0" for one in STEADY)
     data, _ = swing(
         tmp_path_factory.mktemp("resting"),
@@ -140,8 +140,8 @@ def resting(tmp_path_factory, damped):
 
 
 def test_steady_loads(resting):
-    """Positions of the bearings and forces on them agree with those of a beam on bearings computed
-    by statics."""
+    """The positions of the bearings and the forces on them agree with those of a beam on bearings
+    that statics computes."""
     seats = [shaft.Seat(at, B6208, clearance=PRELOAD, phase=-np.pi / 2) for at in (0.0, 0.2)]
     rest = shaft.rest(shaft.Shaft(SECTIONS), seats, STEADY)
     for n, one in enumerate(rest.bearings, 1):
@@ -153,7 +153,7 @@ def test_steady_loads(resting):
 
 
 def test_deflection_is_that_of_the_beam(resting):
-    """The tilts of both rings follow from their displacements, moments and loads."""
+    """The tilts of both rings follow from their displacements, moments and loads, as for a beam."""
     z, whole = beam_of()
     force, held = np.zeros(5 * len(z)), np.zeros(5 * len(z))
     place = np.zeros_like(force)
@@ -164,7 +164,7 @@ def test_deflection_is_that_of_the_beam(resting):
         force[at + 3 : at + 5] += resting[f"m{ring}x"], resting[f"m{ring}y"]
         place[at : at + 2] = resting[f"x{ring}"], resting[f"y{ring}"]
         held[at : at + 2] = 1e14
-    held[2] = 1e14  # stiff along the shaft
+    held[2] = 1e14  # the shaft is stiff in the axial direction
     found = np.linalg.solve(whole.stiffness + np.diag(held), force + held * place)
     for ring, at in ((1, 5 * node(z, 0.0)), (2, 5 * node(z, 0.2))):
         tilts = resting[f"rx{ring}"], resting[f"ry{ring}"]
@@ -174,7 +174,7 @@ def test_deflection_is_that_of_the_beam(resting):
 
 # ---- compared with the equations of a free shaft
 class Support(NamedTuple):
-    """A support at the centre of mass, equal in both planes."""
+    """A support at the centre of mass that acts equally in both planes."""
 
     stiffness: float = 0.0  # N/m
     damping: float = 0.0  # N s/m
@@ -182,15 +182,16 @@ class Support(NamedTuple):
     tilt_damping: float = 0.0  # N m s/rad
 
     def words(self, *names):
-        """Return the support as words of a deck; `names` are the names of two displacements and two
-        tilts."""
+        """Return the keywords that define the support in a deck; `names` are the names of two
+        displacements and two tilts."""
         pairs = [self[:2], self[:2], self[2:], self[2:]]
         return " ".join(f"support {name} {k} {c}" for name, (k, c) in zip(names, pairs))
 
 
 def in_the_air(found, time, spin, support):
-    """Return the coordinates of the shaft, (2 (2 + n),), and their rates, after loads have acted
-    for `time` s from rest: position, slope and modes in the plane of y, then in the plane of z."""
+    """Return (coordinates of the shaft (2 (2 + n),), their rates) after loads have acted for `time`
+    s on a shaft that was at rest. The coordinates are position, slope and modes in the plane of y,
+    followed by those in the plane of z."""
     from scipy.integrate import solve_ivp
 
     body, n = found.body, len(found.mass) + 2
@@ -198,7 +199,7 @@ def in_the_air(found, time, spin, support):
     stiffness = np.tile([0.0, 0.0, *found.stiffness], 2)
     damping = np.tile([0.0, 0.0, *found.damping], 2)
 
-    def at(place):  # displacement and slope at this place, in one plane
+    def at(place):  # displacement and slope at a position, in one plane
         k = node(found.z, place)
         moved = np.array([1.0, found.z[k] - body.centre, *found.shape[:, k, 0]])
         return moved, np.array([0.0, 1.0, *found.shape[:, k, 1]])
@@ -215,7 +216,7 @@ def in_the_air(found, time, spin, support):
     gyroscopic[1:n, n + 1 :], gyroscopic[n + 1 :, 1:n] = found.gyroscopic, -found.gyroscopic
 
     def held(q, v):
-        """Return the forces of the support on all coordinates."""
+        """Return the force of the support on each coordinate."""
         moved, tilted = at(body.centre)
         return np.concatenate(
             [
@@ -237,7 +238,7 @@ def in_the_air(found, time, spin, support):
 
 @pytest.mark.parametrize("support", [Support(), Support(4e6, 60.0, 3e4, 2.0)])
 def test_in_the_air(tmp_path, damped, support):
-    """Loads, a moment, a rotating force and an unbalance act on the modes of a shaft along x, both
+    """Loads, a moment, a rotating force and an unbalance excite the modes of a shaft along x, both
     without supports and with supports at its centre."""
     spin, time = 2000.0, 2e-3
     wanted = ["2", "3", "7", "8", "27"] + [str(k) for k in range(28, 34)]
@@ -268,7 +269,7 @@ def test_in_the_air(tmp_path, damped, support):
     assert modes[1] == pytest.approx(other[2:5], rel=0, abs=2e-3 * np.abs(other[2]))
     want = 0.5 * found.stiffness @ (one[2:] ** 2 + other[2:] ** 2)
     assert strain == pytest.approx(want, rel=2e-3)
-    # the motion of a ring combines that of the rigid shaft and that of bending
+    # the motion of a ring is the sum of that of the rigid shaft and that due to bending
     ring_y, ring_z, ring_tilt_y, ring_tilt_z, bend_y, bend_z, bend_tilt_y, bend_tilt_z = ring
     lever = 0.2 - found.body.centre
     assert ring_y == pytest.approx(y + lever * tilt_z + bend_y, rel=1e-6)
@@ -281,7 +282,7 @@ def test_in_the_air(tmp_path, damped, support):
 
 
 def test_held_in_the_middle(tmp_path):
-    """Stiff supports hold a thin shaft at its middle, so that each half vibrates like a
+    """Stiff supports hold a thin shaft in the middle, so that each half vibrates like a
     cantilever."""
     thin, end = Section(0.2, 0.006), 0.1
     z, pieces = beam.divided([thin], np.linspace(0.0, 0.2, 21))
@@ -303,14 +304,14 @@ def test_held_in_the_middle(tmp_path):
     bending = beam.STEEL.young * beam.second_moment(thin)
     line = beam.STEEL.density * beam.area(thin)
     exact = 1.875104**2 * np.sqrt(bending / line) / end**2
-    assert found == pytest.approx(exact, rel=5e-3)  # the shaft is thin: shear contributes 2e-3
+    assert found == pytest.approx(exact, rel=5e-3)  # in this thin shaft, shear contributes 2e-3
     phase = found * step * np.arange(len(y))
     parts = np.column_stack([np.ones_like(y), np.cos(phase), np.sin(phase)])
     rest = np.linalg.lstsq(parts, y)[0][0]  # equilibrium position
     assert rest == pytest.approx(end**3 / (3 * bending), rel=5e-3)
 
 
-# ---- a shaft that does not bend
+# ---- a rigid shaft
 ACROSS = Support(2e6, 100.0, 1e4, 5.0).words("x", "y", "rx", "ry")
 HELD = f"{ACROSS} support z 1e6 10"
 LOADED = "load 0.12 -100 -800 0 load 0.3 20 50 30 unbalance 0.12 1e-4 0.4 ramp 1e-3"
@@ -346,8 +347,8 @@ def test_stiff_is_rigid(tmp_path):
 
 # ---- balances
 def test_energy(tmp_path, damped):
-    """The work of the loads equals the heat plus the energy of motion, springs, supports and
-    bending."""
+    """The work of the loads equals the dissipated heat plus the energy of motion, springs, supports
+    and bending."""
     _, energy = swing(
         tmp_path,
         **ENERGY,
@@ -359,16 +360,16 @@ def test_energy(tmp_path, damped):
 
 
 def test_within_a_step(tmp_path, damped):
-    """In samples within long steps, the accelerations of rings are the derivatives of their
+    """In samples within long steps, the accelerations of the rings are the derivatives of their
     velocities."""
     swing(tmp_path, **WITHIN, words=f"flexible {damped} {LOADED} {ACROSS}", clearance=PRELOAD)
     rings_follow(tmp_path)
 
 
-# ---- bits
+# ---- bitwise identical results
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory, damped):
-    """Return (folder, variables) of a run on one rank."""
+    """Return (folder, variables) of a run on a single rank."""
     folder = tmp_path_factory.mktemp("whole")
     variables = {**BITS, "every": 10, "words": f"flexible {damped} {LOADED} {HELD}"}
     succeed(DECK, out=folder, **variables, steps=60)
@@ -390,7 +391,7 @@ def test_same_bits(whole, host, ranks, tmp_path):
 
 @pytest.fixture(scope="module")
 def half(whole, tmp_path_factory):
-    """Return the restart file written in the middle of the run."""
+    """Return the restart file that the run writes half-way."""
     folder = tmp_path_factory.mktemp("half")
     succeed(DECK, out=folder, **whole[1], steps=30, keep=30)
     return folder / "restart.30"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film, damping and capacitance of every recorded contact follow from the formulas at the load and
-speed of the contact."""
+"""Film, damping and capacitance of every recorded contact agree with the formulas for the load and
+the speed of this contact."""
 
 import numpy as np
 import pytest
@@ -14,12 +14,12 @@ from scenarios import closed_forms
 
 @pytest.fixture(scope="module", params=["radial", "printed", "preload", "play"])
 def run(request, tmp_path_factory):
-    """Run the main deck for one ball pass, also with the central film as printed in the paper, with
-    preload and with clearance."""
+    """Run the main deck for one ball pass, and variants of it: with the central film as printed in
+    the paper, with preload, and with clearance."""
     folder = tmp_path_factory.mktemp("main")
     deck = "inputs/in.6208"
     if request.param == "printed":
-        from host import ROOT  # a copy of the deck with one additional keyword
+        from host import ROOT  # needed for a copy of the deck with one more keyword
 
         deck = folder / "in.printed"
         text = (ROOT / "inputs" / "in.6208").read_text()
@@ -35,13 +35,13 @@ def run(request, tmp_path_factory):
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_contacts(run, side):
-    """Columns and formulas agree with a relative error of at most 1e-9."""
+    """Columns and formulas agree within a relative error of 1e-9."""
     settings = run.settings
     bearing = closed_forms.bearing_of(settings)
     rows = run.contacts
     rows = rows[(rows["raceway"] == side) & (rows["load"] > 0)]
     assert len(rows) > 200
-    # the load is radial, so the formulas below apply at contact angle 0
+    # the load is radial, so the formulas below apply at a contact angle of 0
     assert np.all(np.abs(rows["angle"]) < 1e-6)
     modulus = bearing.effective_modulus
     r_x, r_y = bearing.effective_radii(side, 0.0, settings["clearance_m"])
@@ -82,7 +82,7 @@ def test_contacts(run, side):
 
 
 def test_bearing_total(run):
-    """The capacitance of the bearing in the record is eq 12 evaluated for its contacts."""
+    """The capacitance of the bearing in the record equals eq 12, evaluated for its contacts."""
     rows = run.contacts.pivot_table(
         index=["sample", "ball"], columns="raceway", values="capacitance"
     ).dropna()

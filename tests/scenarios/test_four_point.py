@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bearings with four-point contact, that is, two grooves per ring, agree with statics.
-docs/decks/in.four_point reverses a thrust; tests apply other loads in a copy of this deck."""
+"""Bearings with four-point contact, i.e. with two grooves per ring, agree with statics.
+docs/decks/in.four_point reverses a thrust; the tests apply other loads in a copy of this deck."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ B6208 = bearing.Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 FOUR = B6208.four_point(np.radians(35))
 STRAIGHT = dict.fromkeys(("x", "y", "rx", "ry"), 0.0)
 LIMIT = 400.0  # N, largest thrust
-SETTLED = 0.012  # s, time after which the initial transient has decayed
+SETTLED = 0.012  # s, time at which the initial transient has decayed
 VERLET = {
     "fix move all bearing/implicit": "fix move balls nve/sphere",
     "timestep 2.5e-5": "timestep 1.0e-6",
@@ -33,7 +33,7 @@ MOVERS = {"implicit": {}, "verlet": VERLET}
 
 
 def turned(folder, changes):
-    """Run the deck with these changes to its words in `folder`."""
+    """Run the deck in `folder` with these changes to its text."""
     text = DECK.read_text()
     for old, new in changes.items():
         assert text.count(old) == 1, old
@@ -44,8 +44,8 @@ def turned(folder, changes):
 
 @pytest.fixture(scope="module", params=MOVERS)
 def path(request, tmp_path_factory):
-    """Return (time in s, displacement in m, force of the balls in N, loads (n, raceway, groove,
-    ball) in N)."""
+    """Return (time in s, displacement in m, force of the balls in N, loads in N as an array
+    (n, raceway, groove, ball))."""
     folder = tmp_path_factory.mktemp("four_point")
     turned(folder, MOVERS[request.param])
     thrust, place, force = np.loadtxt(folder / "line.dat").T
@@ -64,7 +64,7 @@ def rests(force):
 
 
 def test_path_of_statics(path):
-    """The displacement as a function of the force agrees with statics over the whole cycle."""
+    """The curve of displacement against force agrees with statics over the whole cycle."""
     time, place, force, _ = path
     some = np.flatnonzero(time > SETTLED)[::4]
     want = np.array([rest.shift[2] for rest in rests(force[some])])
@@ -73,7 +73,7 @@ def test_path_of_statics(path):
 
 
 def test_grooves_of_statics(path):
-    """The loads of each groove agree with statics."""
+    """The loads in each groove agree with statics."""
     time, _, force, loads = path
     some = np.flatnonzero(time > SETTLED)[::16]
     for rest, load in zip(rests(force[some]), loads[some]):
@@ -82,22 +82,22 @@ def test_grooves_of_statics(path):
 
 
 def test_balls_change_grooves_without_a_jump(path):
-    """At +400 N one pair of grooves is unloaded, at -400 N the other pair. In between, each load
-    changes little from sample to sample, and the change is no larger when a contact opens or
+    """At +400 N one pair of grooves is unloaded, and at -400 N the other pair. In between, each
+    load changes only little from sample to sample, and no more than usual when a contact opens or
     closes."""
     time, _, force, loads = path
     late = time > SETTLED
     loads, force = loads[late], force[late]
     mean = loads.mean(axis=-1)  # mean over the balls, which are equivalent
     ends = [np.argmin(force), np.argmax(force)]
-    for end, free in zip(ends, (0, 1)):  # the inner ring is pushed to +z, then to -z
+    for end, free in zip(ends, (0, 1)):  # the inner ring is pushed towards +z, then towards -z
         assert (mean[end, 0, free], mean[end, 1, 1 - free]) == (0.0, 0.0)
         assert mean[end, 0, 1 - free] > 70 and mean[end, 1, free] > 70
     between = np.abs(force) < 0.5 * LIMIT
     assert (loads[between] > 0).all()
     change = np.abs(np.diff(mean, axis=0)).max(axis=(1, 2))
     fastest = 2 * np.pi / 0.04 * LIMIT * np.diff(time[late])[0]  # N per sample
-    # ratio of a contact's load to the thrust, and preload
+    # ratio of a contact load to the thrust, and preload
     stiffest = 0.5 / 9 / np.sin(np.radians(33))
     assert change.max() < 2.2 * stiffest * fastest
     opening = (mean[1:] == 0) != (mean[:-1] == 0)
@@ -126,8 +126,8 @@ def tilted(folder, changes):
 
 
 def test_tilted_ring_of_statics(tmp_path):
-    """Friction keeps the balls at their azimuths; because it is smoothed, the ring can come to
-    rest."""
+    """Friction keeps the balls at their azimuths; because it is smoothed, the ring can reach a
+    state of rest."""
     rough = {"pair_style bearing/hertz": "pair_style bearing/hertz friction constant 0.1"}
     found = tilted(tmp_path / "rough", rough)
     rest = static.equilibrium(FOUR, 300, 200, moment=(1, 0.5), clearance=-4e-6)
@@ -136,14 +136,14 @@ def test_tilted_ring_of_statics(tmp_path):
 
 
 def test_tilted_ring_with_both_integrators(tmp_path):
-    """Without friction the balls leave the load zone, in the same way with either integrator."""
+    """Without friction, the balls leave the load zone in the same way with either integrator."""
     one = tilted(tmp_path / "implicit", {})
     other = tilted(tmp_path / "verlet", VERLET)
     assert np.abs(one - other).max() < 1e-3 * np.abs(one).max()
 
 
 def seated(folder, way, extra):
-    """Return the positions (x, y, z) in m to which create_bearing puts ball 1 and the inner
+    """Return the positions (x, y, z) in m at which create_bearing places ball 1 and the inner
     ring."""
     folder.mkdir()
     dump = "dump all all custom 1 ${out}/all.dump id x y z"
@@ -170,7 +170,7 @@ def test_seat_is_where_the_smallest_thrust_puts_it(tmp_path, way, sign):
     *place, angle = (4 * found[1] - found[0]) / 3  # deflections grow as load^(2/3)
     assert sign * place[2] > 5e-6
     assert ring == pytest.approx(place, abs=1e-9)
-    # on the line through both contacts
+    # the centre lies on the line through both contacts
     gap, centre = FOUR.groove_gap(1), FOUR.layout.outer[0][side]
     at = [FOUR.groove_circle(1, 10e-6) + gap * np.cos(angle), 0, centre + gap * np.sin(angle)]
     assert ball == pytest.approx(at, abs=1e-9)
@@ -220,8 +220,8 @@ def last(path):
 
 @pytest.fixture(scope="module")
 def outputs(tmp_path_factory):
-    """Return (folder, last loads (raceway, groove, ball) in N) of a lubricated run with all kinds
-    of output."""
+    """Return (folder, loads in N at the last sample as an array (raceway, groove, ball)) of a
+    lubricated run with all kinds of output."""
     folder = tmp_path_factory.mktemp("outputs")
     turned(folder, WET)
     loads = np.zeros((2, 2, 9))
@@ -231,7 +231,7 @@ def outputs(tmp_path_factory):
 
 
 def test_by_ball(outputs):
-    """Values by ball come from the contact with the larger load."""
+    """The values for a ball are those of the contact with the larger load."""
     folder, loads = outputs
     table = last(folder / "balls.dump")
     assert table[:, 1] == pytest.approx(loads[0].max(axis=0), rel=1e-5)
@@ -258,7 +258,8 @@ def test_sums(outputs):
 
 
 def test_record(outputs):
-    """The record distinguishes grooves; sums over its rows equal the sums of the computes."""
+    """The record distinguishes between the grooves; sums over its rows equal the sums of the
+    computes."""
     folder, loads = outputs
     run = raceway.open(folder)
     assert run.contacts.raceway.values.tolist() == ["inner 0", "inner 1", "outer 0", "outer 1"]
@@ -282,7 +283,7 @@ PARTS = ("a", "b", "h_c", "capacitance")
 
 
 def test_grooves_of_a_ring_are_parallel_films(outputs):
-    """The film values of the fix follow from the contacts in the record: capacitances and
+    """The film values of the fix follow from the contacts in the record: the capacitances and
     conductances of the two grooves of a ring add up, and the thinner film breaks down."""
     folder, loads = outputs
     assert ((loads > 0).sum(axis=1) == 2).any()
@@ -332,15 +333,15 @@ def test_what_needs_one_groove_says_so(outputs):
 
 
 def test_main_deck(tmp_path):
-    """The main deck can turn a deep groove ball bearing into a four-point contact bearing with the
-    same clearance."""
+    """In the main deck, a deep groove ball bearing can be changed into a four-point contact bearing
+    with the same clearance."""
     variables = {"four_point": 35, "axial": 1000, "clearance": 2e-6, "passes": 1}
     variables["surroundings"] = "flooded"
     succeed("inputs/in.6208", out=tmp_path, **variables)
     recorded = raceway.open(tmp_path)
     assert recorded.settings["clearance_m"] == pytest.approx(2e-6, abs=1e-12)
     want, sums = recorded.contacts.load(), recorded.tables.totals
-    # the whole gap at both grooves of a ring, including unloaded grooves
+    # the whole gap at both grooves of a ring, including grooves without load
     whole = want["capacitance_total"].to_numpy()
     assert (whole > 0).all() and (want["load"].to_numpy() == 0).any()
     inner, outer = whole.reshape(len(whole), 2, 2, -1).sum(axis=2).transpose(1, 0, 2)
@@ -348,7 +349,7 @@ def test_main_deck(tmp_path):
     assert sums["capacitance_total"].to_numpy() == pytest.approx(series, rel=1e-12)
     read = whole_capacitance.over_time(recorded)
     assert read["bearing"].to_numpy() == pytest.approx(series, rel=1e-12)
-    # statics at the positions through which the balls pass
+    # statics evaluated at the positions that the balls pass through
     points = [
         electric_point.solve(
             "6208",

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Runs with the models `full` agree with statics in positions, loads, losses, stiffness and steady
-temperature, for one groove per ring, four-point contact and two rows, with and without unloaded
-balls. Runs and statics compute spin with slices."""
+temperature. They have one groove per ring, four-point contact or two rows, with and without
+unloaded balls. Both runs and statics compute spin with slices."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ PHASES = np.arange(4) * np.pi / 18  # positions of the balls over a ball pass
 
 
 def over_a_pass(lubricant, **point):
-    """Return torque and losses from statics, averaged over a ball pass."""
+    """Return (torque, losses) from statics, averaged over a ball pass."""
     found = [
         figures("6208", lubricant, ROOT / "inputs", models="full", phase=phase, **point)
         for phase in PHASES
@@ -37,7 +37,7 @@ FOUR = {"four_point": np.radians(35)}
 
 
 def four_point(folder, **words):
-    """Return the summary of a run of the main deck under a thrust."""
+    """Return the summary of a run of the main deck under a thrust with four-point contact."""
     common = {"load": 0.001, "four_point": 35, "passes": 1, "spin_law": "slices", "models": "full"}
     succeed("inputs/in.6208", out=folder, **OIL, **common, **words)
     return summary(RunTables(folder))
@@ -57,7 +57,7 @@ def test_four_points(tmp_path, name):
 
 @pytest.mark.parametrize("rpm", [477.5, 1910.0])
 def test_unloaded_balls(tmp_path, rpm):
-    """Unloaded balls skid: if they rolled, the rolling loss would be about 5 % higher."""
+    """Unloaded balls skid; if they rolled, the rolling loss would be about 5 % higher."""
     point = {"load": 5000.0, "rpm": rpm, "lubricant": "mineral"}
     succeed("inputs/in.6208", out=tmp_path, models="full", passes=1, **point)
     run, (torque, parts) = summary(RunTables(tmp_path)), over_a_pass(**point)
@@ -79,7 +79,7 @@ def test_unloaded_balls_of_four_points(tmp_path):
 
 @pytest.mark.parametrize("name", ["thrust", "preload"])
 def test_stiffness_of_four_points(tmp_path, name):
-    """The displacement changes from one thrust to the next as it does in statics."""
+    """The displacement changes from one thrust to the next by the same amount as in statics."""
     axial, clearance = CASES[name]
     step = 40.0
     ends = [
@@ -93,7 +93,8 @@ def test_stiffness_of_four_points(tmp_path, name):
 
 
 def test_heat_of_four_points(tmp_path):
-    """At the steady temperature from statics, a run generates the heat that the cooling removes."""
+    """At the steady temperature from statics, a run generates as much heat as the cooling
+    removes."""
     cooling = {"conductance": 0.6, "ambient": 20.0}
     point = {"axial": 2000.0, "rpm": 1910.0}
     steady = steady_heat.figures(
@@ -113,8 +114,8 @@ LOADS = {"across": 400.0, "thrust": 300.0, "moment": 4.0}
 
 
 def double_row(folder, fluid, **changes):
-    """Return ((y in m, z in m, tilt in rad), {part: loss in W}) as means over the last 30 ms of the
-    deck with the models `full` and changed loads."""
+    """Return ((y in m, z in m, tilt in rad), {part: loss in W}), as means over the last 30 ms of a
+    run of the deck with the models `full` and changed loads."""
     folder.mkdir(exist_ok=True)
     loads = LOADS | changes
     film = f"{fluid.temperature_viscosity} {fluid.conductivity}"
@@ -152,8 +153,8 @@ def double_row(folder, fluid, **changes):
 
 
 def of_statics(fluid):
-    """Return the values of `double_row` from statics, as means over a ball pass, and the stiffness
-    along z."""
+    """Return the results that `double_row` returns, computed by statics as means over a ball pass,
+    and the stiffness along z."""
     path = catalogue.find("bearings", "7208")
     bearing = inputs.bearing(path, double_row=ROWS)
     oil = inputs.Oil(fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, 1e-7)
@@ -188,7 +189,8 @@ def test_double_row(tmp_path):
 
 
 def test_heat_of_a_double_row(tmp_path):
-    """At the steady temperature from statics, a run generates the heat that the cooling removes."""
+    """At the steady temperature from statics, a run generates as much heat as the cooling
+    removes."""
     cooling = {"conductance": 0.2, "ambient": 20.0}
     point = {"load": 400.0, "axial": 300.0, "rpm": 600.0, "double_row": ROWS}
     steady = steady_heat.figures("7208", "vg46", ROOT / "inputs", **point, **cooling, **LAWS)

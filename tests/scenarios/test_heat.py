@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/heat: the steady state agrees with `raceway heat`, heat and work balance, oil and
-clearance follow the temperatures, and the cooling determines whether a preloaded bearing seizes."""
+"""fix bearing/heat: the steady state agrees with `raceway heat`, heat and work are balanced, oil
+and clearance follow the temperatures, and the cooling determines whether a preloaded bearing
+seizes."""
 
 import numpy as np
 import pytest
@@ -8,7 +9,7 @@ import raceway
 from host import run, succeed
 from raceway import cage_drag, heat, steady_heat
 
-# settled until the energy stored in balls and cage drifts by less than the tolerances here
+# the run settles until the energy stored in balls and cage drifts by less than the tolerances below
 POINT = dict(lubricant="vg46", load=5000, rpm=1910, overwrite="yes", settled=1e-4, passes=10,
              models="full", settle="auto")  # fmt: skip
 PARTS = ("inner", "balls", "outer")
@@ -16,7 +17,7 @@ PARTS = ("inner", "balls", "outer")
 
 @pytest.fixture(scope="module")
 def warm(tmp_path_factory):
-    """Run the 6208 from cold to its steady state."""
+    """Return a run of the 6208 that starts cold and reaches its steady state."""
     folder = tmp_path_factory.mktemp("warm")
     succeed("inputs/in.6208", heat="yes", out=folder, **POINT)
     return raceway.open(folder)
@@ -35,8 +36,8 @@ def test_steady_state_is_that_of_raceway_heat(warm):
 
 
 def test_steady_state_with_a_cage_ring(tmp_path):
-    """Statics includes oil in the pockets and churning, but not the friction of the balls in the
-    pockets, which adds 0.7 W of 32 W here."""
+    """Statics includes the oil in the pockets and churning, but not the friction between balls and
+    pockets, which contributes 0.7 W of 32 W in this case."""
     words = dict(heat="yes", cage="ring", cage_without="friction")
     succeed("inputs/in.6208", out=tmp_path, **words, **POINT)
     case = dict(load=5000.0, rpm=1910.0, nodes=steady_heat.Nodes(), cage=cage_drag.CageRing())
@@ -49,8 +50,8 @@ def test_steady_state_with_a_cage_ring(tmp_path):
 def test_oil_that_flows(tmp_path):
     """The steady state agrees with `raceway heat` at the same oil flow. The oil carries away its
     heat capacity rate times its temperature rise; the remaining heat leaves through the housing. At
-    this speed the losses of the run are 0.6 % below those of statics, which changes temperatures by
-    0.2 K."""
+    this speed, the losses of the run are 0.6 % lower than those of statics, which changes the
+    temperatures by 0.2 K."""
     oil = dict(oil_flow=0.5e-3 / 60, oil_inlet=45)
     words = POINT | dict(load=1000, rpm=9549, passes=1)
     succeed("inputs/in.6208", heat="yes", out=tmp_path, **oil, **words)
@@ -72,7 +73,8 @@ def test_oil_that_flows(tmp_path):
 
 
 def test_heat_balances(warm):
-    """The heat from the losses is stored or removed; in the steady state all of it is removed."""
+    """The heat from the losses is either stored or removed; in the steady state all of it is
+    removed."""
     jumps = warm.heat
     booked, rest = jumps["booked"], jumps["carried"] + jumps["stored"]
     assert booked.to_numpy() == pytest.approx(rest.to_numpy(), rel=1e-9, abs=1e-9)
@@ -85,10 +87,10 @@ def test_heat_balances(warm):
 
 
 def test_work_of_the_drive_is_the_heat(warm, tmp_path):
-    """Over the measured passes the heat equals the torque of the inner ring times its speed, minus
-    the gain of the balls in kinetic energy: the cage accelerates and slows balls. Iterations end
-    when the torque at an instant equals the torque that moved the balls; with the default settings
-    these two torques differ by up to 1.3e-3."""
+    """Over the measured passes, the heat equals the torque of the inner ring times its speed, minus
+    the increase in the kinetic energy of the balls, which the cage accelerates and slows. The
+    iterations end when the torque at an instant equals the torque that moved the balls; with the
+    default settings, these two torques differ by up to 1.3e-3."""
     succeed("inputs/in.6208", heat="yes", out=tmp_path, tolerance=1e-10, **POINT)
     fine = raceway.open(tmp_path)
     rings, balls, said = fine.rings, fine.balls, fine.summary()
@@ -101,13 +103,14 @@ def test_work_of_the_drive_is_the_heat(warm, tmp_path):
     gained = float(moving[-1] - moving[0]) / float(balls["time"][-1] - balls["time"][0])
     assert work - gained == pytest.approx(said["power_loss_W"], rel=2e-4)
     said = warm.summary()
-    last = warm.heat["power"][-8:].to_numpy()  # values of single ball passes scatter
+    last = warm.heat["power"][-8:].to_numpy()  # the values for single ball passes scatter
     error = 3 * last.std(ddof=1) / np.sqrt(len(last))
     assert last.mean() == pytest.approx(said["power_loss_W"], abs=error)
 
 
 def test_the_contacts_run_at_these_temperatures(warm, tmp_path):
-    """A run with the same oil temperature and the same clearance has the same torque and films."""
+    """A run at the same oil temperature and with the same clearance has the same torque and
+    films."""
     said = warm.summary()
     cold = {**POINT, "temperature": f"{said['temperature_oil_C']:.9g}"}
     succeed("inputs/in.6208", clearance=f"{said['clearance_warm_m']:.9g}", out=tmp_path, **cold)
@@ -119,8 +122,8 @@ def test_the_contacts_run_at_these_temperatures(warm, tmp_path):
 
 
 def test_jumps_against_small_ones(tmp_path):
-    """After a minute, temperatures that jump by up to 2 K agree with those that jump by up to 0.25
-    K within 0.1 K."""
+    """After a minute, temperatures that jump by up to 2 K agree within 0.1 K with those that jump
+    by up to 0.25 K."""
     ends = []
     for change in (2, 0.25):
         words = dict(heat="yes", warm_time=60, warm_change=change, record="summary")
@@ -147,8 +150,8 @@ PRELOAD = dict(
 
 
 def test_preloaded_bearing_seizes_by_its_cooling(tmp_path):
-    """With a cooled outer ring around a hot inner ring the bearing seizes; with a cooled shaft it
-    does not."""
+    """If the outer ring around a hot inner ring is cooled, the bearing seizes; if the shaft is
+    cooled, it does not."""
     words = dict(heat="yes", overwrite="yes", **PRELOAD)
     done = run("inputs/in.6208", out=tmp_path / "hot", **words)
     assert done.code != 0

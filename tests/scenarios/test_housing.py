@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ring on supports in a housing with mass agrees with the closed-form solution for two
-oscillators."""
+"""The motion of a ring on supports in a housing with mass agrees with the closed-form solution for
+two coupled oscillators."""
 
 import re
 
@@ -10,7 +10,7 @@ from host import ROOT, liggghts, succeed
 from scipy.linalg import expm
 
 DECK = "tests/scenarios/in.housing"
-RING, HOUSING = (0.5, 2.5e-4), (2.0, 2.5e-3)  # ring, housing: kg, kg m^2
+RING, HOUSING = (0.5, 2.5e-4), (2.0, 2.5e-3)  # (kg, kg m^2) of ring and housing
 # {direction: (load, (stiffness, damping) of the ring's and of the housing's support)}
 DIRECTIONS = {
     "x": (200.0, (1e8, 2000.0), (2e8, 4000.0)),
@@ -23,11 +23,11 @@ MOVERS = {"implicit": {}, "verlet": {"mover": "moving nve/sphere", "show": "time
 
 
 def swing(t, load, inertia, held, ground):
-    """Return the displacements of ring and housing at evenly spaced times t (s), the first of them
-    one step after a load is applied to the ring at rest."""
+    """Return the displacements of ring and housing at evenly spaced times t (s), the first of which
+    is one step after a load is applied to the ring at rest."""
     masses = np.array(inertia)
     stiff, damp = (np.array([[a, -a], [-a, a + b]]) for a, b in zip(held, ground))
-    system = np.zeros((5, 5))  # displacements, velocities, 1
+    system = np.zeros((5, 5))  # the state vector contains displacements, velocities and 1
     system[:2, 2:4] = np.eye(2)
     system[2:4, :2], system[2:4, 2:4] = -stiff / masses[:, None], -damp / masses[:, None]
     system[2, 4] = load / masses[0]
@@ -51,8 +51,8 @@ def run(request, tmp_path_factory):
 
 
 def test_free_decay(run):
-    """Both bodies move as in the closed form in every direction, within 1e-3 of the largest
-    displacement."""
+    """In every direction, both bodies move according to the closed-form solution, within 1e-3 of
+    the largest displacement."""
     t = run["step"] * 1e-6
     for name, (load, held, ground) in DIRECTIONS.items():
         which = 0 if len(name) == 1 else 1
@@ -62,21 +62,21 @@ def test_free_decay(run):
 
 
 def test_momentum(run):
-    """The support between ring and housing acts equally on both, so the other forces on the housing
-    come from its own support."""
+    """The support between ring and housing exerts opposite forces on them, so the remaining force
+    on the housing is that of its own support."""
     assert RING[0] * run["ax"] == pytest.approx(run["fx"] + 200, abs=1e-6)
     assert HOUSING[0] * run["hax"] == pytest.approx(run["hfx"], abs=1e-6)
     t = run["step"] * 1e-6
     speed = np.gradient(run["hx"], t, edge_order=2)
     ground = -(2e8 * run["hx"] + 4000 * speed)
-    # speeds are difference quotients over 10 us
+    # velocities are difference quotients over 10 us
     scale = np.abs(run["fx"]).max()
     assert np.abs(run["hfx"] + run["fx"] - ground)[2:-2].max() < 0.02 * scale
 
 
 def frequencies(t, x, y):
     """Return the four roots (1/s) of two coupled oscillators, from displacements at evenly spaced
-    times: both displacements are predicted linearly from the two samples before."""
+    times. Both displacements are predicted linearly from the two preceding samples."""
     step = 2
     late = np.c_[x, y][2 * step :]
     early = np.c_[x, y, np.ones_like(x)]
@@ -89,7 +89,8 @@ def frequencies(t, x, y):
 
 @pytest.mark.parametrize("name", DIRECTIONS)
 def test_frequencies_and_damping(run, name):
-    """Both natural frequencies and both decay rates, found from the motion, agree within 1e-3."""
+    """Both natural frequencies and both decay rates, determined from the motion, agree within
+    1e-3."""
     _, held, ground = DIRECTIONS[name]
     which = 0 if len(name) == 1 else 1
     masses = np.array([RING[which], HOUSING[which]])
@@ -102,8 +103,8 @@ def test_frequencies_and_damping(run, name):
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_ranks(tmp_path, mover):
-    """If one rank owns the housing and another owns the ring, the results are bitwise identical to
-    those of a single rank."""
+    """If one rank owns the housing and another the ring, the results are bitwise identical to those
+    on a single rank."""
     words = dict(MOVERS[mover], steps=300)
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, out=tmp_path / "two", ranks=2, **words)
@@ -112,7 +113,7 @@ def test_ranks(tmp_path, mover):
 
 
 def test_a_driven_housing_carries_the_ring(tmp_path):
-    """A housing that is moved by 1 um moves the ring; the energy balance includes the work of its
+    """A housing that is moved by 1 um moves the ring; the energy balance includes the work of the
     drive."""
     base = "x position v_shake y fixed z fixed rx fixed ry fixed"
     deck = tmp_path / "in.driven"
@@ -122,7 +123,7 @@ def test_a_driven_housing_carries_the_ring(tmp_path):
     done = succeed(deck, out=tmp_path / "out").text
     data = columns(tmp_path / "out")
     t, free = data["step"] * 1e-6, np.sqrt(2e8)
-    # bound without damping: the transient may be as large as the response
+    # bound for the undamped case, in which the transient may be as large as the response
     assert 0.5e-6 < np.abs(data["x"]).max() < 1e-6 * (1 + 1e4 / free) / (1 - 1e8 / free**2)
     assert data["hx"] == pytest.approx(1e-6 * np.sin(1e4 * t), abs=1e-15)
     work, lost, stored, rest = map(float, re.findall(r"^ *3000 +(.*)$", done, re.M)[-1].split())
@@ -159,8 +160,8 @@ def test_order_and_need(tmp_path):
 
 
 def test_energy(tmp_path):
-    """The work of the load equals the heat in the dampers plus the energy of motion and of the
-    springs."""
+    """The work of the load equals the heat generated in the dampers plus the energy of motion and
+    of the springs."""
     text = succeed(DECK, out=tmp_path).text
     work, lost, stored, rest = map(float, re.findall(r"^ *3000 +(.*)$", text, re.M)[-1].split())
     assert work == pytest.approx(lost + stored, abs=1e-6 * work)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cage speeds of runs agree with statics. Spectral lines reveal the hidden clearances of runs and
-the mounting of a published motor bearing."""
+"""The cage speeds of runs agree with statics, and spectral lines reveal the hidden clearances of
+runs and the mounting of a motor bearing with published recordings."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from raceway import cage_speed, identify, inputs, steady_heat
 from raceway.recordings.prediction import Model
 from raceway.recordings.readings import Point, Reading, Readings
 
-# values derived from recordings of Case Western Reserve University (docs/measured_bearings)
+# values found in recordings of Case Western Reserve University (docs/measured_bearings)
 CWRU = {one.name: one for one in cwru.setups()}
 TRIED = (
     "inner 7 mil",
@@ -31,7 +31,7 @@ def readings(found, unknown, oil="vg68", models="full", **known):
 
 
 def cage(folder, **variables):
-    """Return the cage speed of a run relative to the speed of its inner ring."""
+    """Return the cage speed of a run divided by the speed of its inner ring."""
     case = {"bearing": "6205", "lubricant": "vg68", "passes": 10, "settle": 20, "record": "summary"}
     succeed("inputs/in.6208", out=folder, **case | variables)
     motion = raceway.open(folder).motion
@@ -44,9 +44,9 @@ def cage(folder, **variables):
     [(1797, 10, 30, 8e-6), (600, 10, 30, 2e-6), (1797, 100, 300, 6e-6)],
 )
 def test_speeds_of_cage_and_balls(tmp_path, models, within, rpm, load, axial, clearance):
-    """Differential slip alone contributes 2e-4 to 1e-3 to the cage speed and 1e-3 to the ball
-    speed; the direction of the balls' spin axes contributes 1e-4 to 3e-4. With the models `paper`,
-    the spin axes keep their initial directions."""
+    """Differential slip alone changes the cage speed by 2e-4 to 1e-3 and the ball speed by 1e-3;
+    the direction of the balls' spin axes changes them by 1e-4 to 3e-4. With the models `paper`, the
+    spin axes keep their initial directions."""
     case = {"rpm": rpm, "load": load, "axial": axial, "clearance": clearance}
     cage(tmp_path, models=models, **case, record="all")
     motion = raceway.open(tmp_path).motion
@@ -62,8 +62,8 @@ def test_speeds_of_cage_and_balls(tmp_path, models, within, rpm, load, axial, cl
 
 
 def test_hidden_clearance_of_a_run(tmp_path):
-    """If the thrust is known, the clearance is found. If neither is known, a curve through the true
-    thrust and clearance is found."""
+    """If the thrust is known, the clearance is found. If neither is known, the result is a curve
+    through the true thrust and clearance."""
     clearance, axial = 6e-6, 60.0
     run = cage(tmp_path, models="full", rpm=1797, load=10, axial=axial, clearance=clearance)
     at = [Reading("BPFO", 9 * run, 1e-4, Point(1797.0))]
@@ -79,9 +79,9 @@ def test_hidden_clearance_of_a_run(tmp_path):
 
 
 def test_two_states_with_the_same_lines(tmp_path):
-    """The four lines of this run also fit a bearing with twice the clearance under a twentieth of
-    the thrust. Both states are given, and the intervals contain the state of the run. Lines with
-    errors of 2e-4 leave the clearance with a standard deviation of 1.8 um."""
+    """The four lines of this run can also be explained by a bearing with twice the clearance under
+    a twentieth of the thrust. Both states are found, and the intervals contain the state of the
+    run. If the lines have errors of 2e-4, the standard deviation of the clearance is 1.8 um."""
     true = {"clearance": 13.4e-6, "axial": 148.0}
     known = {"load": 21.0, "temperature": 82.0}
     cage(tmp_path, models="full", rpm=1797, record="all", **true, **known)
@@ -105,7 +105,7 @@ def test_two_states_with_the_same_lines(tmp_path):
 @pytest.mark.parametrize("name", TRIED)
 def test_a_motor_bearing(tmp_path, name):
     """A single clearance, found from the line at one speed, predicts the lines at the other speeds
-    and the line of a run; with a single thrust the clearance is within class CN."""
+    and the line of a run; if a single thrust is assumed, the clearance is within class CN."""
     line, orders = CWRU[name].line, list(CWRU[name].orders.values())
     rows = [Reading(line, at, 2e-4, Point(rpm)) for rpm, at in CWRU[name].orders.items()]
     found = identify.identify(readings(rows[:1], {"clearance": (-5e-6, 20e-6)}))
@@ -118,8 +118,8 @@ def test_a_motor_bearing(tmp_path, name):
 
 
 def test_cooling_from_a_temperature():
-    """The conductance given to `raceway heat` is recovered from the steady temperature that this
-    command computes."""
+    """The conductance that is given to `raceway heat` is recovered from the steady temperature that
+    this command computes."""
     case = {"load": 1500.0, "rpm": 3000.0, "clearance": 5e-6}
     steady = steady_heat.figures("6205", "vg68", ROOT / "inputs", conductance=0.8, **case)
     at = [Reading("temperature", steady["temperature_C"], 0.5, Point(case["rpm"]))]
@@ -130,8 +130,8 @@ def test_cooling_from_a_temperature():
 
 
 def test_a_capacitance_parts_clearance_and_thrust():
-    """From readings computed by statics with random errors, the true clearance and thrust are found
-    within the intervals."""
+    """From readings that statics computes, with random errors added, the true clearance and thrust
+    are found within the intervals."""
     true = {"clearance": 6e-6, "axial": 120.0, "load": 20.0, "temperature": 40.0}
     unknown = {"clearance": (0.0, 15e-6), "axial": (20.0, 400.0)}
     points = Point(1797.0), Point(3000.0)
@@ -149,8 +149,8 @@ def test_a_capacitance_parts_clearance_and_thrust():
 
 
 def test_play_of_the_pockets_counts_where_balls_are_idle():
-    """The range of slip contains the published 0.1 to 0.6 % and the slip of a cage that hangs
-    towards the load; if all balls are loaded, there is no slip."""
+    """The range of slip contains the published values of 0.1 to 0.6 % and the slip of a cage that
+    hangs towards the load; if all balls are loaded, there is no slip."""
     body = inputs.bearing(ROOT / "inputs/bearings/6205")
     idle = raceway.static.equilibrium(body, 400.0, clearance=10e-6)
     low, high = cage_speed.lags(body, idle)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`settle orbit` of run_bearing finds the state in which a ball pass repeats the previous one."""
+"""`settle orbit` of run_bearing finds the state in which each ball pass repeats the previous
+one."""
 
 import pytest
 import raceway
@@ -11,13 +12,14 @@ from scenarios.test_run_bearing import TURNS, differ, stop, values
 DECK = "inputs/in.6208"
 FULL = {"models": "full", "passes": 1}
 PRELOAD = {**FULL, "clearance": "-20e-6", "load": 2000, "rpm": 1500}
-# light thrust: gyroscopic moments turn the spin axes over more than a hundred ball passes
+# under a light thrust, gyroscopic moments turn the spin axes over more than a hundred ball passes
 THRUST = {**FULL, "bearing": "7205B", "axial": 300, "load": "1e-3", "rpm": 8000}
 FIGURES = ("friction_torque_N_m", "cage_speed_rad_s", "h_min_m", "q_max_N", "capacitance_F")
 
 
 def evaluations(folder):
-    """Return the total number of force evaluations, which is the cost of a run on any machine."""
+    """Return the total number of force evaluations, which measures the cost of a run on any
+    machine."""
     cost = raceway.open(folder).settings
     return cost["settling_evaluations"] + cost["evaluations"]
 
@@ -61,7 +63,7 @@ def test_scenes_without_an_orbit_settle_until_ball_passes_agree(words, why, tmp_
     assert found["rest_torque"] <= 1e-2
 
 
-# the same scene with dry contacts; two of five ball passes begin with chosen speeds
+# the same scene with dry contacts; two of its five ball passes begin with chosen speeds
 SHORT = {**TURNS, "settle": "orbit", "more": "limit 5"}
 
 
@@ -80,7 +82,7 @@ def test_ranks(whole, tmp_path):
 
 @pytest.mark.parametrize("at", [2, 3, 4])
 def test_stopped_on_the_way(at, whole, tmp_path):
-    """The results of a run that was stopped and continued are bitwise identical, even if chosen
+    """The results of a run that is stopped and continued are bitwise identical, even if the chosen
     speeds are passed on through a restart file."""
     stop(tmp_path, SHORT, at)
     succeed(run_deck, out=tmp_path, resume="yes", **SHORT)

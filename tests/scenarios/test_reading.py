@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Values that are found from runs of the main deck: kinematic frequencies, the power balance, and
-the run in MDAnalysis."""
+"""Tests of values that are found from runs of the main deck: kinematic frequencies, the power
+balance, and the trajectory in MDAnalysis."""
 
 import numpy as np
 import pytest
@@ -12,8 +12,8 @@ from raceway.cli import main
 
 @pytest.fixture(scope="module")
 def long(tmp_path_factory):
-    """Return a run over 40 ball passes, which are 4.4 turns of the cage. The tolerance is 0.1 nm:
-    with 1 nm the error of fy, the force along the load, would be as large as its ripple
+    """Return a run over 40 ball passes, i.e. 4.4 turns of the cage. The tolerance is 0.1 nm,
+    because with 1 nm the error of fy, the force along the load, would be as large as its ripple
     (docs/output.rst)."""
     folder = tmp_path_factory.mktemp("long") / "run"
     succeed("inputs/in.6208", out=folder, passes=40, tolerance=1e-10)
@@ -22,9 +22,9 @@ def long(tmp_path_factory):
 
 @pytest.mark.parametrize("signal", ["x", "y", "shift", "fx", "fy", "mz", "capacitance"])
 def test_ball_pass_frequency_and_harmonics(long, signal):
-    """The stiffness varies as balls pass the load. Frequencies agree with kinematics within 0.2 %:
-    slip makes the cage slower by 4e-4, and noise in the weakest signal (fx, from the implicit step)
-    shifts a peak by 2e-4."""
+    """The stiffness varies as balls pass the load. The frequencies agree with kinematics within 0.2
+    %: slip makes the cage slower by 4e-4, and noise in the weakest signal (fx, with the implicit
+    integrator) shifts a peak by 2e-4."""
     found = {
         (line.name, line.harmonic): line
         for line in spectrum.lines(long, spectrum.of_run(long, signal))
@@ -35,8 +35,8 @@ def test_ball_pass_frequency_and_harmonics(long, signal):
 
 
 def test_displacement_shows_the_slip_of_the_cage(long):
-    """The spectral line follows the balls: BPFO is Z times the mean orbital speed of the balls, to
-    1e-3 of a bin; a bin is 1/40 of the ball pass frequency."""
+    """The spectral line follows the balls: BPFO equals Z times the mean orbital speed of the balls
+    to within 1e-3 of a bin, where a bin is 1/40 of the ball pass frequency."""
     (line,) = (
         line for line in spectrum.lines(long, spectrum.of_run(long, "x"), 1) if line.name == "BPFO"
     )
@@ -46,7 +46,7 @@ def test_displacement_shows_the_slip_of_the_cage(long):
 
 
 def test_a_perfect_bearing_has_no_other_line(long):
-    """Without a flaw or an odd ball there is no line at BSF or BPFI."""
+    """Without a flaw or a ball of different size there is no line at BSF or BPFI."""
     for signal in ("x", "shift", "fy"):
         for line in spectrum.lines(long, spectrum.of_run(long, signal)):
             assert line.name in ("BPFO", "FTF") or line.note
@@ -58,7 +58,7 @@ def test_command(long, capsys):
 
 
 def test_datasets_agree_with_each_other(long):
-    """Rings, contacts and balls are recorded at the same times."""
+    """Rings, contacts and balls are recorded at the same instants."""
     both = long.rings["capacitance"] - long.bearing["capacitance"]  # xarray aligns the times
     assert both.sizes["time"] == 8001
     # the dump is written at the end of the step
@@ -76,8 +76,8 @@ def test_universe(long):
 
 
 def test_smoothed_friction_takes_force_times_sliding(long):
-    """Friction is opposite to sliding, so its power is the product of their magnitudes (the dump
-    has 12 digits)."""
+    """Friction acts in the direction opposite to sliding, so its power is the product of the two
+    magnitudes (the dump has 12 digits)."""
     contacts = long.contacts
     np.testing.assert_allclose(
         contacts["friction_power"],
@@ -89,9 +89,10 @@ def test_smoothed_friction_takes_force_times_sliding(long):
 
 
 def test_shaft_pays_what_the_contacts_lose(tmp_path):
-    """With velocity Verlet the input power equals the losses. It varies by 40 mW about a mean of
-    1.4 mW as springs load and unload. Because of slip, 4e-4 of each of the 20 passes is not
-    covered: 40 mW * 4e-4 is 1.2 % of the mean. The tolerance is three times this value.
+    """With velocity Verlet, the input power equals the losses. The input varies by 40 mW about a
+    mean of 1.4 mW as springs are loaded and unloaded. Because of slip, a fraction of 4e-4 of the 20
+    passes is not covered, and 40 mW * 4e-4 is 1.2 % of the mean. The tolerance is three times this
+    value.
     """
     succeed("inputs/in.6208", out=tmp_path / "run", passes=20, settle=4, integrator="verlet")
     mean = losses.losses(raceway.open(tmp_path / "run")).mean()

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/shaft: a rigid body on two 6208s agrees with closed forms and with statics, and its
-balances of momentum and energy close.
+"""fix bearing/shaft: the motion of a rigid body on two 6208s agrees with closed-form solutions and
+with statics, and its momentum and energy are balanced.
 
-The shaft extends along z, with bearings at 0 and 0.2 m. The `data` of a run are columns of the
-shaft (x, rx ...) and of its rings (x1, f2y ...).
+The shaft extends along z, with bearings at 0 and 0.2 m. The columns of a run's `data` describe the
+shaft (x, rx ...) and its rings (x1, f2y ...).
 """
 
 import numpy as np
@@ -31,17 +31,17 @@ from shaft_runs import (
 
 MASS, AXIAL, ACROSS = 4.0, 2.0e-3, 2.0e-2  # kg, kg m^2
 MOVERS = {"implicit": {"step": 5e-5}, "verlet": {"mover": "verlet", "step": 1e-6}}
-AIR = 1.0e-3  # m, a clearance so large that no ring touches its balls
+AIR = 1.0e-3  # m, a clearance for which no ring touches its balls
 
 
-# ---- at rest
-# Without cage and friction the balls leave the load zone.
-CALM = "support y 1.0 2000 support rx 1.0 20"  # dampers whose springs are too soft to carry load
+# ---- equilibrium
+# Without a cage and friction, the balls would leave the load zone.
+CALM = "support y 1.0 2000 support rx 1.0 20"  # dampers; their springs are too soft to carry load
 
 
 @pytest.fixture(scope="module")
 def resting(tmp_path_factory):
-    """Return the shaft under 3 kN at 0.12 m, damped until it comes to rest."""
+    """Return the shaft under a load of 3 kN at 0.12 m, damped until it comes to rest."""
     folder = tmp_path_factory.mktemp("resting")
     words = f"mass 4 inertia 2e-3 2e-2 centre 0.1 load 0.12 0 -3000 0 ramp 5e-3 {CALM}"
     data, _ = swing(
@@ -52,7 +52,7 @@ def resting(tmp_path_factory):
 
 def test_lever_rule(resting):
     """The lever rule determines how the bearings share a load of 3 kN at 0.12 m along a span of 0.2
-    m; the moments of the bearings change the distribution little."""
+    m; the moments of the bearings have little effect on the distribution."""
     assert resting["f1y"] == pytest.approx(1200.0, rel=1e-3)
     assert resting["f2y"] == pytest.approx(1800.0, rel=1e-3)
     own = resting["m1x"] + resting["m2x"]  # N m; the lever arms are measured from 0.12 m
@@ -60,7 +60,7 @@ def test_lever_rule(resting):
 
 
 def test_as_statics(resting):
-    """The shaft at rest agrees with `raceway shaft`, given a rigid shaft."""
+    """The equilibrium position of the shaft agrees with `raceway shaft` for a rigid shaft."""
     seats = [shaft.Seat(at, B6208, phase=-np.pi / 2) for at in (0.1, 0.3)]
     rest = shaft.rest(
         shaft.Shaft([Section(0.4, 0.3)], Steel(young=2.1e13)),
@@ -75,8 +75,8 @@ def test_as_statics(resting):
 
 
 def test_as_one_double_row_bearing(resting):
-    """The shaft agrees with statics of two rows on one ring that is loaded away from its middle and
-    free to tilt."""
+    """The shaft agrees with statics of two rows on a single ring that is loaded away from its
+    middle and free to tilt."""
     loads = {"load_azimuth": -np.pi / 2, "moment": (60.0, 0.0), "held": {"z": 0.0}}
     rest = static.equilibrium(B6208.double_row(DoubleRow(0.2)), 3000.0, phase=-np.pi / 2, **loads)
     assert resting["y"] == pytest.approx(rest.shift[1], rel=2e-3)
@@ -90,21 +90,21 @@ def test_rings_are_on_the_shaft(resting):
     assert resting["y2"] == pytest.approx(resting["y"] - 0.1 * resting["rx"], rel=0, abs=1e-13)
     assert resting["fy"] == pytest.approx(resting["f1y"] + resting["f2y"], rel=1e-14)
     levers = 0.1 * resting["f1y"] - 0.1 * resting["f2y"] + resting["m1x"] + resting["m2x"]
-    assert resting["mx"] == pytest.approx(levers, rel=1e-4)  # the error is due to the tilted axes
+    assert resting["mx"] == pytest.approx(levers, rel=1e-4)  # the error is due to the tilt
 
 
-# ---- in the air
+# ---- without contact
 def gyroscope(time, moment, spin):
-    """Return rx + i ry (rad) of a free body that starts from rest under a moment Mx + i My: It W' -
-    i Ip spin W = M."""
+    """Return rx + i ry (rad) of a free body, initially at rest, under a moment Mx + i My, from
+    It W' - i Ip spin W = M."""
     rate = 1j * AXIAL * spin / ACROSS
     return moment / (ACROSS * rate) * ((np.exp(rate * time) - 1) / rate - time)
 
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_free_body(tmp_path, mover):
-    """A force off the centre translates and rotates the shaft; the spin causes a gyroscopic
-    moment."""
+    """A force that acts off the centre translates and rotates the shaft; because of the spin there
+    is a gyroscopic moment."""
     step = MOVERS[mover]["step"]
     words = "mass 4 inertia 2e-3 2e-2 centre 0.08 load 0.15 30 0 0 load 0.08 0 10 0"
     data, energy = swing(
@@ -124,7 +124,7 @@ def test_free_body(tmp_path, mover):
     assert np.abs(data["rx"] + 1j * data["ry"] - tilt).max() < 2e-4 * np.abs(tilt).max()
     assert data["x1"] == pytest.approx(data["x"] - 0.08 * data["ry"], abs=1e-9)
     assert data["x2"] == pytest.approx(data["x"] + 0.12 * data["ry"], abs=1e-9)
-    # the motion of a ring combines that of the centre and the tilt
+    # the motion of a ring is the sum of the motion of the centre and that due to the tilt
     growth = 0.07 * 30 / ACROSS * np.cos(AXIAL * 3000 / ACROSS * time)
     for ring, lever in (("a1x", -0.08), ("a2x", 0.12)):
         assert data[ring] == pytest.approx(30 / MASS + lever * growth, rel=0, abs=1e-3)
@@ -135,7 +135,7 @@ def test_free_body(tmp_path, mover):
 
 @pytest.mark.parametrize("mover", MOVERS)
 def test_unbalance_in_two_planes(tmp_path, mover):
-    """With equal and opposite unbalances at 0.05 and 0.15 m, the centre stays in place and the axis
+    """With equal and opposite unbalances at 0.05 and 0.15 m, the centre does not move and the axis
     describes a cone."""
     spin, step = 500.0, MOVERS[mover]["step"]
     words = "mass 4 inertia 2e-3 2e-2 centre 0.1 unbalance 0.05 1e-5 0 unbalance 0.15 1e-5 PI"
@@ -150,10 +150,10 @@ def test_unbalance_in_two_planes(tmp_path, mover):
         every=round(1e-4 / step),
     )
     time = data["time"]
-    couple = -1e-5 * 0.1 * spin**2  # N m, rotated by i: the moment of a force along x is about y
+    couple = -1e-5 * 0.1 * spin**2  # N m, times i because a force along x causes a moment about y
     rate = 1j * AXIAL * spin / ACROSS
     own, free = 1j * spin, rate
-    # W = c (e^(i spin t) - e^(rate t)), from rest
+    # W = c (e^(i spin t) - e^(rate t)), starting from rest
     c = 1j * couple / (ACROSS * (own - free))
     tilt = c * ((np.exp(own * time) - 1) / own - (np.exp(free * time) - 1) / free)
     assert np.abs(data["rx"] + 1j * data["ry"] - tilt).max() < 1e-3 * np.abs(tilt).max()
@@ -163,7 +163,7 @@ def test_unbalance_in_two_planes(tmp_path, mover):
 # ---- whirl
 def natural_frequencies(mass, axial, across, spin, levers, stiffness):
     """Return the natural frequencies in Hz, in ascending order, of a rigid shaft on bearings at
-    `levers` (m) from its centre."""
+    distances `levers` (m) from its centre."""
     whole = np.zeros((4, 4))
     for at in levers:
         turn = np.array([[1, 0, 0, at], [0, 1, -at, 0], [0, 0, 1, 0], [0, 0, 0, 1]], float)
@@ -182,8 +182,8 @@ def natural_frequencies(mass, axial, across, spin, levers, stiffness):
 
 @pytest.mark.parametrize("spin", [0.0, 2000.0])
 def test_whirl_frequencies(tmp_path, spin):
-    """On preloaded bearings without friction, whirl frequencies agree within 1 %; this bound allows
-    for the inertia of the balls and other effects."""
+    """On preloaded bearings without friction, the whirl frequencies agree within 1 %; this bound
+    allows for the inertia of the balls and other effects."""
     mass, axial, across, centre, clearance = 40.0, 0.8, 1.0, 0.06, -20e-6
     data, _ = swing(
         tmp_path,
@@ -200,19 +200,19 @@ def test_whirl_frequencies(tmp_path, spin):
     across_it = stiffness[np.ix_([0, 1, 3, 4], [0, 1, 3, 4])]
     want = natural_frequencies(mass, axial, across, spin, (-centre, 0.2 - centre), across_it)
     signals = np.array([data["x"], data["y"], 0.1 * data["rx"], 0.1 * data["ry"]])
-    if spin == 0.0:  # two pairs of equal frequencies, of which one plane shows one each
+    if spin == 0.0:  # one plane shows one frequency of each of two equal pairs
         signals, want = signals[[0, 3]], want[::2]
     found = frequencies_of(signals, data["time"][1] - data["time"][0], 2 * len(want))
     found = np.sort(np.abs(found))[::2]
     assert found == pytest.approx(want, rel=5e-3)
     if spin:
-        assert want[3] / want[2] > 1.05 and want[1] / want[0] > 1.5  # the frequencies differ enough
+        assert want[3] / want[2] > 1.05 and want[1] / want[0] > 1.5  # they differ enough
 
 
 # ---- balances under load
 def test_energy(tmp_path):
-    """The work of the loads equals the heat plus the energy of motion and of the springs; the
-    integrator loses one thousandth."""
+    """The work of the loads equals the dissipated heat plus the energy of motion and of the
+    springs; the integrator loses a fraction of one thousandth."""
     words = "mass 4 inertia 2e-3 2e-2 centre 0.08 load 0.15 -300 -3000 0 unbalance 0.02 2e-4 0.4"
     _, energy = swing(
         tmp_path,
@@ -230,7 +230,7 @@ LOADED = "mass 4 inertia 2e-3 2e-2 load 0.15 -300 -3000 200 unbalance 0.02 2e-4 
 OIL = "lubricant 0.04 22e-9 roughness 1e-7 0"
 LAWS = {
     "dry": {},
-    # a law that stores a state for each contact
+    # this law stores a state for each contact
     "film": {
         "style": "bearing/ehd",
         "law": f"{OIL} gap 0 film_damping branch friction stribeck 0.12 0.05 smoothed 0.01",
@@ -277,14 +277,14 @@ def test_within_a_step(tmp_path):
     assert np.abs(apart).max() > 1e-6
 
 
-# ---- bits
+# ---- bitwise identical results
 FULL = {**BITS, "words": LOADED}
 LENGTH = {"implicit": 60, "verlet": 1500}
 
 
 @pytest.fixture(scope="module", params=MOVERS)
 def whole(request, tmp_path_factory):
-    """Return (mover, folder) of a run on one rank."""
+    """Return (mover, folder) of a run on a single rank."""
     folder = tmp_path_factory.mktemp(request.param)
     steps = LENGTH[request.param]
     succeed(DECK, out=folder, **FULL, **MOVERS[request.param], steps=steps, every=steps // 6)
@@ -334,10 +334,10 @@ def test_restart(whole, tmp_path):
     assert rows_of(tmp_path / "second")[-3:] == rows_of(one)[-3:]
 
 
-# ---- another axis, gravity, mistakes
+# ---- another axis, gravity, invalid input
 @pytest.mark.parametrize("moved", ["all bearing/implicit", "balls nve/sphere"])
 def test_along_x(tmp_path, moved):
-    """A load along z that acts off the centre tilts the shaft about y."""
+    """A load along z that acts off the centre tilts the shaft about the y axis."""
     free = "mass 4 inertia 2e-3 2e-2 x free y free z free ry free rz free spin speed 0"
     text = small(
         tmp_path,
@@ -353,7 +353,7 @@ def test_along_x(tmp_path, moved):
 
 
 def test_weight(tmp_path):
-    """fix gravity acts at the centre of mass, so it does not tilt the shaft."""
+    """fix gravity acts at the centre of mass, so that it does not tilt the shaft."""
     text = small(
         tmp_path,
         "fix move all bearing/implicit\nfix g all gravity 9.81 vector 0 -1 0\n"

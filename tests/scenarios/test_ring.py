@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/ring agrees with the mechanics of a free body: fall, gyroscopic motion, driven motion
-and conservation laws."""
+"""The motion under fix bearing/ring agrees with the mechanics of a free body: fall, gyroscopic
+motion, driven motion and conservation laws."""
 
 import numpy as np
 from host import BOX, succeed
@@ -8,7 +8,8 @@ from host import BOX, succeed
 MASS, AXIAL, ACROSS = 0.2, 1.2e-4, 6.5e-5  # kg, kg m^2
 BALL_MASS = 4 / 3 * np.pi * 6.3e-3**3 * 7800
 
-# A radial play of 0.2 mm keeps balls and rings apart: nothing touches unless the play is changed.
+# A radial play of 0.2 mm keeps balls and rings apart; there is no contact unless the play is
+# changed.
 DECK = (
     BOX
     + """
@@ -42,7 +43,7 @@ fix report all print 50 "${t} ${x} ${y} ${z} ${vz} ${rx} ${ry} ${spin} ${angle}"
 
 
 def motion(tmp_path, commands, steps, **variables):
-    """Return the columns t x y z vz rx ry spin angle of the inner ring."""
+    """Return the columns t, x, y, z, vz, rx, ry, spin and angle of the inner ring."""
     deck = tmp_path / "in.ring"
     deck.write_text(DECK + commands + REPORT + f"run {steps}\n")
     succeed(deck, out=tmp_path / "ring.txt", **variables)
@@ -50,22 +51,22 @@ def motion(tmp_path, commands, steps, **variables):
 
 
 def test_constant_force_on_a_free_ring(tmp_path):
-    """z = F t^2/(2 m): Verlet is exact here, and the columns have 15 digits."""
+    """z = F t^2/(2 m): in this case velocity Verlet is exact, and the columns have 15 digits."""
     t, x, y, z, vz, *_ = motion(
         tmp_path, f"fix inner inner bearing/ring mass {MASS} z free force 3.0 4.0 5.0\n", 2000
     )
     np.testing.assert_allclose(z, 5.0 / (2 * MASS) * t**2, rtol=1e-11)
     np.testing.assert_allclose(vz, 5.0 / MASS * t, rtol=1e-11)
-    assert not x.any() and not y.any()  # fixed
+    assert not x.any() and not y.any()  # these directions are fixed
 
 
 def test_moment_on_a_spinning_ring(tmp_path):
     """A moment M about x acts on a ring that has the spin W and is free to tilt. In linear theory,
     with n = I_a W/I_t, the tilt about x is M/(I_t n^2) (1 - cos n t) and the tilt about y is
-    -M/(I_t n^2) (n t - sin n t): a gyroscope yields sideways. Sign: dL/dt = M along +x turns the
-    axis e (L = I_a W e) towards +x, which is a positive tilt about y. Nonlinear terms are of the
-    order of the square of the tilt, 1e-5 relative; errors of the step are of the order of (n
-    h)^2/12 = 3e-7.
+    -M/(I_t n^2) (n t - sin n t): a gyroscope yields sideways. The sign follows from dL/dt = M: a
+    moment along +x turns the axis e (L = I_a W e) towards +x, which is a positive tilt about y.
+    Relative to the tilt, nonlinear terms are of the order of its square, 1e-5, and errors of the
+    step are of the order of (n h)^2/12 = 3e-7.
     """
     spin, moment = 1000.0, 0.05
     t, *_, rx, ry, rate, angle = motion(
@@ -85,7 +86,7 @@ def test_moment_on_a_spinning_ring(tmp_path):
 
 
 def test_one_free_tilt_has_no_gyroscope(tmp_path):
-    """If the other tilt is fixed, the free tilt is M t^2/(2 I_t)."""
+    """If the other tilt is fixed, the free tilt is M t^2/(2 I_t), without gyroscopic motion."""
     t, *_, rx, ry, _, _ = motion(
         tmp_path,
         f"fix inner inner bearing/ring inertia {AXIAL} {ACROSS} rx free spin speed 1000 moment 0.05"
@@ -97,8 +98,8 @@ def test_one_free_tilt_has_no_gyroscope(tmp_path):
 
 
 def test_driven_degrees_of_freedom(tmp_path):
-    """Displacements and tilts follow their variables exactly; so does the integral of an imposed
-    speed."""
+    """Displacements and tilts follow their variables exactly, and so does the integral of an
+    imposed speed."""
     t, x, y, z, vz, rx, ry, spin, _ = motion(
         tmp_path,
         "variable wx equal 1.0e-5*sin(2000*v_t)\nvariable wr equal 1.0e-3*sin(1000*v_t)\nvariable"
@@ -114,7 +115,7 @@ def test_driven_degrees_of_freedom(tmp_path):
 
 
 def test_load_ramp(tmp_path):
-    """The load grows as 3 s^2 - 2 s^3, so the momentum after the ramp is half of F T."""
+    """The load increases as 3 s^2 - 2 s^3, so the momentum after the ramp is half of F T."""
     (
         t,
         *_,
@@ -125,23 +126,24 @@ def test_load_ramp(tmp_path):
     )
     s = t / 1e-3
     # Verlet integrates the impulse by the trapezoidal rule, plus half a step at the start; the
-    # error h^2/12 F'(end) is below 1e-6 of the impulse
+    # error h^2/12 F'(end) is less than 1e-6 of the impulse
     np.testing.assert_allclose(
         rows[4], 5.0 / MASS * 1e-3 * (s**3 - s**4 / 2), rtol=0, atol=1e-5 * 5.0 / MASS * 1e-3
     )
 
 
 def test_free_bearing_keeps_its_momentum(tmp_path):
-    """Two free rings and nine compressed, sliding balls conserve linear momentum and angular
+    """Two free rings and nine compressed, sliding balls conserve linear momentum, and angular
     momentum about any axis.
 
-    Every contact exerts opposite forces on both bodies at one point, so both momenta are conserved
-    to rounding: about 1e5 additions of 1e-16 relative to the largest single momenta."""
+    Every contact exerts opposite forces on both bodies at the same point, so both momenta are
+    conserved to within rounding, i.e. about 1e5 additions with errors of 1e-16 relative to the
+    largest single momentum."""
     free = "mass 0.2 inertia 1.2e-4 6.5e-5 x free y free z free rx free ry free spin free"
     deck = tmp_path / "in.free"
     deck.write_text(
         DECK
-        # the balls are at rest, so they slip
+        # the balls are initially at rest, so they slip
         + "fix inner inner bearing/ring spin speed 300\nrun 0\nunfix inner\nfix inner inner"
         f" bearing/ring {free}\nfix outer outer bearing/ring {free}\nvelocity inner set 0.01 0.02"
         " 0.005\ndump all all custom 500 ${out} id type x y z vx vy vz omegax omegay"
@@ -156,13 +158,13 @@ def test_free_bearing_keeps_its_momentum(tmp_path):
     ]
     assert len(frames) == 11
     linear, angular = zip(*(_momenta(frame) for frame in frames))
-    largest = 300 * AXIAL  # kg m^2/s, initial value of the inner ring
+    largest = 300 * AXIAL  # kg m^2/s, initial angular momentum of the inner ring
     np.testing.assert_allclose(linear, np.tile(linear[0], (11, 1)), rtol=0, atol=1e-12)
-    # spin about z only; about other axes the rings tilt, and their dumped omega alone does not give
-    # I omega
+    # only the spin about z is tested; about other axes the rings tilt, and the dumped omega alone
+    # does not give I omega
     np.testing.assert_allclose(np.array(angular)[:, 2], angular[0][2], rtol=0, atol=1e-9 * largest)
     spins = [frame[9, 10] for frame in frames]
-    assert spins[-1] < 0.999 * spins[0]  # friction was present
+    assert spins[-1] < 0.999 * spins[0]  # there was friction
 
 
 def _momenta(frame):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The results of run_bearing are bitwise identical to those of the host's commands, wherever the
-run is stopped and on any number of ranks."""
+"""The results of run_bearing are bitwise identical to those obtained with the host's commands,
+wherever the run is stopped and on any number of ranks."""
 
 import math
 import re
@@ -20,8 +20,8 @@ VERLET = {"move": "nve/sphere", "movers": "parts", "rpm": 5000}
 
 
 def ball_pass(rpm=1500.0, outer_rpm=0.0, angle=0.0, clearance=0.0):
-    """Return the duration (s) of a ball pass with balls that roll without slip (Harris): their
-    centres move at the mean speed of the two surfaces."""
+    """Return the duration (s) of a ball pass if the balls roll without slip (Harris). Their centres
+    then move at the mean speed of the two surfaces."""
     pitch = INNER + OUTER + 0.5 * clearance
     share = BALL * math.cos(angle) / pitch
     cage = 0.5 * (rpm * (1 - share) + outer_rpm * (1 + share)) * 2 * math.pi / 60
@@ -29,7 +29,7 @@ def ball_pass(rpm=1500.0, outer_rpm=0.0, angle=0.0, clearance=0.0):
 
 
 def values(folder):
-    """Return all variables and all numeric attributes of a record."""
+    """Return all variables and all numeric attributes in a record."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         return (
             {name: variable.data.tobytes() for name, variable in file.variables.items()},
@@ -38,7 +38,7 @@ def values(folder):
 
 
 def differ(one, other):
-    """Return the names of the variables that are not bitwise identical."""
+    """Return the names of the variables that are not bitwise identical in both records."""
     one, other = values(one)[0], values(other)[0]
     assert one.keys() == other.keys()
     return [name for name in one if one[name] != other[name]]
@@ -89,8 +89,8 @@ def test_same_bits_as_commands_of_the_host(scene, within, tmp_path):
     ids=["inner", "both rings", "seated", "angle given"],
 )
 def test_ball_pass(scene, closed, tmp_path):
-    """200 samples cover a ball pass with the duration of the closed form, for each integrator and
-    several ring speeds."""
+    """200 samples cover a ball pass whose duration is that of the closed-form solution, for each
+    integrator and several ring speeds."""
     succeed(DECK, out=tmp_path, samples=200, settle=0, **scene)
     notes = values(tmp_path)[1]
     assert notes["samples_per_pass"] == 200
@@ -99,8 +99,8 @@ def test_ball_pass(scene, closed, tmp_path):
 
 @pytest.mark.parametrize("rate", [48000, 192000])
 def test_rate(rate, tmp_path):
-    """If samples per second are given instead of samples per ball pass, passes end at the nearest
-    sample."""
+    """If the number of samples per second is given instead of samples per ball pass, passes end at
+    the nearest sample."""
     succeed(DECK, out=tmp_path, more=f"rate {rate}", passes=3, **DAMPING)
     data, notes = values(tmp_path)
     assert notes["sample_s"] == pytest.approx(1 / rate, rel=1e-12)
@@ -135,7 +135,7 @@ def test_ranks(scene, tmp_path):
         assert differ(tmp_path / "1", tmp_path / ranks) == []
 
 
-# the thrust is too small for the speed: balls slip and their spin axes tilt
+# the thrust is too small for this speed, so balls slip and their spin axes tilt
 TURNS = {
     **IMPLICIT,
     "models": "friction mixed 0.12 0.05 heathcote 1.0e-4 spin 1",
@@ -148,7 +148,7 @@ TURNS = {
 
 
 def power(folder):
-    """Return the mean loss of the bearing, W."""
+    """Return the mean power loss of the bearing in W."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         return sum(
             np.nanmean(variable.data)
@@ -158,14 +158,14 @@ def power(folder):
 
 
 def evaluations(folder):
-    """Return the number of force evaluations until a run has settled."""
+    """Return the number of force evaluations that a run needs until it has settled."""
     return values(folder)[1]["settling_evaluations"]
 
 
 def test_auto_settles(tmp_path):
-    """After one ball pass the loss is 70 % off. After six, at a turning point, it equals the loss
-    of a long run, but then it changes by 3 % once more. `auto` continues past this point and needs
-    a fraction of the evaluations of the long run."""
+    """After one ball pass, the loss differs by 70 % from its final value. After six passes, at a
+    turning point, it equals the loss of a long run, but it then changes by another 3 %. `auto`
+    continues past this point, and needs only a fraction of the evaluations of the long run."""
     for settle in (1, "auto", 60):
         succeed(DECK, out=tmp_path / str(settle), settle=settle, **TURNS)
     want = power(tmp_path / "60")
@@ -193,8 +193,8 @@ def test_last_passes_have_the_steps_of_the_deck(tmp_path):
 
 
 def test_auto_asks_for_more(tmp_path):
-    """If a tenth of the remaining change is allowed, settling takes more ball passes and meets the
-    limit."""
+    """If only a tenth of the remaining change is allowed, settling takes more ball passes and meets
+    this limit."""
     passes = []
     for settled in (1e-2, 1e-3):
         out = tmp_path / str(settled)
@@ -206,7 +206,7 @@ def test_auto_asks_for_more(tmp_path):
 
 
 def test_auto_ends_at_its_limit(tmp_path):
-    """The run gives a warning with the numbers and then measures."""
+    """The run prints a warning with the values reached, and then starts the measurement."""
     done = succeed(DECK, out=tmp_path, settle="auto", more="limit 2", **TURNS)
     assert re.search(r"WARNING: run_bearing: not settled after 2 ball passes: .* 0\.01", done.text)
     notes = values(tmp_path)[1]
@@ -214,7 +214,8 @@ def test_auto_ends_at_its_limit(tmp_path):
 
 
 def stop(out, scene, share, deck=DECK):
-    """Stop a run when settling has reached `share`, in per cent or as a number of ball passes."""
+    """Stop a run when its settling has reached `share`, given in per cent or as a number of ball
+    passes."""
     command = [HOSTS["liggghts"][0], "-in", deck, "-log", "none", "-var", "out", out]
     for name, value in scene.items():
         command += ["-var", name, str(value)]
@@ -252,8 +253,9 @@ def stop(out, scene, share, deck=DECK):
     ids=["implicit", "verlet", "ramp, auto", "coarse, auto", "last, auto", "verlet, auto"],
 )
 def test_stopped_while_it_settles(scene, at, tmp_path):
-    """A run that was stopped continues, also with adaptive steps. It is stopped while the loads are
-    applied in coarse steps, in a ball pass with coarse steps, or in the last ball pass."""
+    """A run that was stopped can be continued, also with adaptive steps. It is stopped while the
+    loads are applied in coarse steps, in a ball pass with coarse steps, or in the last ball
+    pass."""
     stop(tmp_path / "stopped", scene, at)
     assert not (tmp_path / "stopped" / "record.nc").exists()
     succeed(DECK, out=tmp_path / "whole", **scene)
@@ -265,12 +267,12 @@ def test_stopped_while_it_settles(scene, at, tmp_path):
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 @pytest.mark.parametrize("settle", [1, "auto"])
 def test_stopped_after_the_last_step_of_settling(settle, host, tmp_path):
-    """A run continues from a restart file that was written after the end of settling and before the
-    start of the measurement."""
-    scene = {**IMPLICIT, "settle": settle, "samples": 20}  # 20 steps per ball pass
+    """A run continues from a restart file that was written after settling had ended and before the
+    measurement started."""
+    scene = {**IMPLICIT, "settle": settle, "samples": 20}  # there are 20 steps per ball pass
     whole = succeed(DECK, host=host, out=tmp_path / "whole", **scene)
     *settling, measuring = (int(n) for n in re.findall(r"for (\d+) steps", whole.text))
-    assert sum(settling) > measuring  # so the only restart file is that of the last settling step
+    assert sum(settling) > measuring  # the only restart file is of the last settling step
     kept = {**scene, "keep": sum(settling), "last": "no", "out": tmp_path / "kept"}
     succeed(DECK, host=host, **kept)
     resumed = succeed(DECK, host=host, resume="yes", **kept)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run the deck of every scenario in scenarios.yaml and compare its summary with closed-form
-solutions and references."""
+"""Run the deck of every scenario in scenarios.yaml, and compare its summary with closed-form
+solutions and reference values."""
 
 from pathlib import Path
 

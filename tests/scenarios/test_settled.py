@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs with the deck's default settling, or with one ball pass of settling, compared with runs that
-settled for 100 ball passes and with the error that they estimate themselves. If the balls start
+"""Runs that settle as the deck does by default, or for one ball pass, are compared with runs that
+settled for 100 ball passes, and with the error that they estimate themselves. If the balls start
 with their spin about the bearing axis, the loss is 14 % higher in the first scene and 17 % higher
 in the second."""
 
@@ -24,8 +24,8 @@ OIL = dict(models="full", lubricant="vg46", temperature=70)
 
 @pytest.fixture(scope="module", params=SCENES)
 def runs(request, tmp_path_factory):
-    """Return a scene, the summaries of a run with one ball pass of settling and of a settled run,
-    and the folder of the settled run."""
+    """Return (scene, summary of a run with one ball pass of settling, summary of a settled run,
+    folder of the settled run)."""
     found = []
     for settle in (1, 100):
         folder = tmp_path_factory.mktemp(request.param)
@@ -35,7 +35,7 @@ def runs(request, tmp_path_factory):
 
 
 def test_torque(runs):
-    """Under thrust, the torques agree within 1 %; if a ring is tilted, the summary shows that the
+    """Under thrust, the torques agree within 1 %; if a ring is tilted, the summary states that the
     run has not settled."""
     name, first, settled, _ = runs
     off = abs(first["friction_torque_N_m"] / settled["friction_torque_N_m"] - 1)
@@ -54,8 +54,8 @@ def test_a_settled_run_says_so(runs):
 
 
 def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
-    """With the deck's default settling, the torque of a run is within 1 % of the torque of the
-    settled run, and the error that `raceway check` finds is at least as large as the difference."""
+    """With the deck's default settling, the torque of a run is within 1 % of that of the settled
+    run, and the error that `raceway check` finds is at least as large as the difference."""
     name, _, settled, _ = runs
     words = dict(settle=None, **SCENES[name], **OIL)
     succeed("inputs/in.6208", out=tmp_path, **words)
@@ -69,9 +69,9 @@ def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
 
 
 def test_waits_while_pocket_forces_of_a_cage_ring_fall(tmp_path):
-    """Two balls in the loaded arc pinch the cage at the start. With a `settled` of 1 all other
+    """At the start, two balls in the loaded arc pinch the cage. With a `settled` of 1 all other
     criteria are met, so only the pocket forces delay the measurement. After half a turn of the cage
-    they delay it by more than two further ball passes, in each of which they fall to less than
+    they delay it by more than two further ball passes, in each of which they decrease to less than
     half."""
     scene = dict(cage="ring", load=6000, rpm=500, lubricant="vg46", models="full", samples=100)
     done = succeed("inputs/in.6208", out=tmp_path, settle="auto", settled=1, passes=1, **scene)
@@ -87,7 +87,7 @@ def test_waits_while_pocket_forces_of_a_cage_ring_fall(tmp_path):
 
 
 def test_of_the_record(runs):
-    """The values equal those recomputed from the last two ball passes in the record."""
+    """The values equal those recomputed from the last two ball passes of the record."""
     _, _, figures, folder = runs
     with xarray.open_dataset(folder / "record.nc") as data:
         speed = abs(data["bearing_cage_speed"].isel(bearing=0)).to_numpy()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Force evaluations of whole runs, including settling, compared with those of commit a7b5052, in
-which runs settled for one ball pass regardless of the remaining change."""
+"""The number of force evaluations in whole runs, including settling, is compared with that of
+commit a7b5052, in which runs settled for one ball pass regardless of the remaining change."""
 
 import pytest
 import raceway
@@ -9,8 +9,8 @@ from raceway.sweeps.scene_parts import REFERENCE
 
 MOST = 1.3
 HEAD = ("load", "axial", "rpm", "clearance", "lubricant", "temperature", "before")
-# the scenes that tests/bench/needs.py draws, including those that it refuses, and the evaluations
-# needed by a7b5052 with the reference settings of `raceway needs`
+# scenes that tests/bench/needs.py draws, including those that it rejects, and the evaluations that
+# a7b5052 needed with the reference settings of `raceway needs`
 SCENES = """
 1.1e+03 0 256 -4.9e-06 vg68 37 14100
 682 0 1.59e+03 1.9e-05 pao8 42 26461
@@ -39,7 +39,7 @@ SCENES = """
 4.82e+03 1.69e+03 1.56e+03 1.1e-05 vg68 56 56732
 2.65e+03 1.11e+03 5.58e+03 6.8e-06 vg100 44 22124
 """.strip().splitlines()
-CHANGES = {  # choices of `raceway needs` with few evaluations, or with slow modes, of some scenes
+CHANGES = {  # choices of `raceway needs` for some scenes, with few evaluations or with slow modes
     "tolerance 1e-8": ({"tolerance": "1e-8"}, {7: 887, 21: 608, 0: 915}),
     "damping": ({"integrator": "damping", "tolerance": "1e-7"}, {7: 4000, 21: 7284, 0: 15375}),
     "no cage": ({"cage": "no"}, {7: 9892, 21: 8090, 0: 12504}),
@@ -49,7 +49,8 @@ CHANGES = {  # choices of `raceway needs` with few evaluations, or with slow mod
 
 
 def evaluations(number, folder, **changes):
-    """Return (evaluations of the run, evaluations of a7b5052 with the reference settings)."""
+    """Return (evaluations of the run, evaluations that a7b5052 needed with the reference
+    settings)."""
     words = dict(zip(HEAD, SCENES[number].split(), strict=True))
     before = float(words.pop("before"))
     own = {"passes": "1", "settle": "auto", "surroundings": "flooded"}
@@ -61,7 +62,7 @@ def evaluations(number, folder, **changes):
 
 def test_of_the_reference(tmp_path):
     """Most scenes need a tenth to a half of the evaluations of a7b5052. Slow or lightly loaded
-    scenes, which need many evaluations while loads are applied, need a larger fraction."""
+    scenes, which need many evaluations while the loads are applied, need a larger fraction."""
     shares = []
     for number in range(len(SCENES)):
         now, before = evaluations(number, tmp_path / str(number))

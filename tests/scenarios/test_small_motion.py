@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""In docs/decks/in.small_motion, stiffness and damping of a ring in small motion agree with statics
-that include films. Friction is small, because statics neglects it."""
+"""In docs/decks/in.small_motion, the stiffness and damping of a ring in small motion agree with
+statics that include films. Friction is small, because statics neglects it."""
 
 import numpy as np
 import pytest
@@ -13,11 +13,11 @@ from raceway.theory.bearing import Bearing
 B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 OIL = Oil(0.03969, 22.57e-9, 2.25, 1e-7)
 SPIN, CLEARANCE = 100 * np.pi, 20e-6
-# frequencies in the deck (Hz), in the order of the matrices
+# Hz, frequencies in the deck, in the order of the matrices
 DRIVEN = {"x": 250.0, "y": 350.0, "z": 150.0, "rx": 450.0, "ry": 550.0}
-PERIODS, PERIOD = 4, 0.02  # number of periods, and common period of all frequencies, s
-STUDENT = 5.84  # 99 % of the means of four values lie within this number of standard errors
-MASS = 4 / 3 * np.pi * (6.3e-3) ** 3 * 7800.0  # mass of a ball, kg
+PERIODS, PERIOD = 4, 0.02  # number of periods; s, common period of all frequencies
+STUDENT = 5.84  # 99 % of means of four values are within this many standard errors
+MASS = 4 / 3 * np.pi * (6.3e-3) ** 3 * 7800.0  # kg, mass of a ball
 
 
 @pytest.fixture(scope="module")
@@ -31,7 +31,7 @@ def found(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def want(found):
-    """Return (stiffness, damping) from statics, (5, 5) each; every column is evaluated at its own
+    """Return (stiffness, damping), each (5, 5), from statics; every column is evaluated at its own
     frequency."""
     state = static.equilibrium(
         B6208,
@@ -55,8 +55,8 @@ def want(found):
 
 
 def test_stiffness(found, want):
-    """All entries that symmetry allows agree. The other entries vanish, except those that rotate
-    with the balls."""
+    """All entries that symmetry allows agree. The other entries vanish, except for those that
+    rotate with the balls."""
     stiffness, expected = found[0].stiffness, want[0]
     for row, column in ((0, 0), (1, 1), (2, 2), (0, 4), (1, 3), (3, 1), (4, 0)):
         assert stiffness[row, column] == pytest.approx(expected[row, column], rel=1e-3)
@@ -75,14 +75,14 @@ def test_damping(found, want):
         assert damping[axis, axis] == pytest.approx(expected[axis, axis], rel=0.03)
     for row, column in ((0, 4), (1, 3), (3, 1), (4, 0)):
         assert damping[row, column] == pytest.approx(expected[row, column], rel=0.05)
-    # friction adds a little to the entries of the tilts
+    # friction adds a small contribution to the entries of the tilts
     for tilt in (3, 4):
         assert 1.0 < damping[tilt, tilt] / expected[tilt, tilt] < 1.2
 
 
 def test_damping_turns_with_the_balls(found):
-    """K_xy = C omega_c = -K_yx, within the scatter of the periods, which are fitted
-    individually."""
+    """K_xy = C omega_c = -K_yx, within the scatter between the periods, each of which is fitted
+    separately."""
     fit, orbit, run = found
     apart = []
     for k in range(PERIODS):

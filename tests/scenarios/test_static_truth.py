@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The simulation agrees with statics in ball loads at every azimuth of a ball pass, free contact
-angle and endplay."""
+"""The simulation agrees with statics in the ball loads at every azimuth of a ball pass, the free
+contact angle and the endplay."""
 
 import re
 
@@ -17,7 +17,7 @@ from scenarios import closed_forms
 def test_ball_loads_at_every_azimuth(tmp_path):
     """In a dry bearing at 100 rpm and 5 kN, loads agree within 0.1 % of the load of the ball. Balls
     that carry less than 1.25 % of the largest load agree within 0.1 % of the largest load: they are
-    about to leave the load zone, where friction of 1e-4 of the largest load matters.
+    about to leave the load zone, where a friction force of 1e-4 of the largest load matters.
     """
     succeed("inputs/in.dry", out=tmp_path)
     run = RunTables(tmp_path)
@@ -42,10 +42,10 @@ def test_ball_loads_at_every_azimuth(tmp_path):
 
 
 def test_ball_loads_with_clearance(tmp_path):
-    """At 30 rpm loads agree within 0.1 % of the largest load. A ball that enters the load zone
-    excites the dry ring, which is hardly damped. The vibration is stronger at higher speed (5e-4 of
-    the largest load at 30 rpm, 2e-3 at 100 rpm, 5e-3 at 300 rpm), and statics does not include
-    it."""
+    """At 30 rpm, loads agree within 0.1 % of the largest load. A ball that enters the load zone
+    excites vibrations of the dry ring, which is hardly damped. The vibrations are stronger at
+    higher speed (5e-4 of the largest load at 30 rpm, 2e-3 at 100 rpm, 5e-3 at 300 rpm), and statics
+    does not include them."""
     succeed("inputs/in.dry", out=tmp_path, clearance=44.1e-6, rpm=30)
     run = RunTables(tmp_path)
     contacts = run.contacts
@@ -58,10 +58,10 @@ def test_ball_loads_with_clearance(tmp_path):
         )
 
 
-# table A.1 of the paper
+# from table A.1 of the paper
 @pytest.mark.parametrize("groove", [6.804e-3, 6.93e-3, 7.056e-3, 7.182e-3])
 def test_free_contact_angle_and_endplay(groove):
-    """Statics agrees with eqs A.2 to A.4 within 0.5 %."""
+    """Statics agrees with eqs A.2 to A.4 of the paper within 0.5 %."""
     text = succeed("inputs/in.axial", inner_groove=groove, outer_groove=groove).text
     angle = float(re.search(r"^free contact angle (\S+) degrees", text, re.MULTILINE).group(1))
     endplay = float(re.search(r"^free endplay (\S+) m", text, re.MULTILINE).group(1))

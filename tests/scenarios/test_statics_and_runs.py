@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Statics and settled runs with the same settings give the same equilibrium in random scenes.
 
-In statics the balls are at the azimuths of the run's last sample and orbit at the cage speed of the
-run. Friction, which statics neglects, hinders balls that move across their grooves as they orbit:
-in a 7205B under 1 kN, 500 N of thrust and 2 N m it changes loads by 4 % of the largest load. If
-rings tilt, friction is therefore reduced to a hundredth here.
+In statics, the balls are at the azimuths of the run's last sample and orbit at the cage speed of
+the run. Friction, which statics neglects, hinders balls that move across their grooves as they
+orbit: in a 7205B under a radial load of 1 kN, a thrust of 500 N and a moment of 2 N m, it changes
+loads by 4 % of the largest load. If rings tilt, friction is therefore reduced to a hundredth of its
+value.
 """
 
 import numpy as np
@@ -23,7 +24,8 @@ FLUID = inputs.fluid(ROOT / "inputs/lubricants/vg46")
 
 
 def scenes(seed=29):
-    """Return each bearing with and without thrust; every second scene also has a moment."""
+    """Yield scenes for each bearing, with and without thrust; every second scene also has a
+    moment."""
     draw = np.random.default_rng(seed)
     for thrust in (0.0, 1.0):
         for k, name in enumerate(BEARINGS):
@@ -35,7 +37,7 @@ def scenes(seed=29):
 
 
 def little_friction(folder, models, moment):
-    """Return `models` or, if there is a `moment`, the paper's models with little friction."""
+    """Return `models`, or the paper's models with little friction if there is a `moment`."""
     if not moment:
         return models
     own = folder / "slippery"
@@ -71,14 +73,14 @@ def test_loads_and_place(tmp_path, name, load, axial, moment, rpm, models):
         np.testing.assert_allclose(side, contacts.load, rtol=0, atol=0.01 * contacts.load.max())
     force = [float(last[f"ring_f{axis}"]) for axis in "xyz"]
     np.testing.assert_allclose(force, rest.force, rtol=0, atol=0.01 * np.hypot(load, axial))
-    seat = inputs.held(path, 0.0)["z"]  # origin of z in a run
+    seat = inputs.held(path, 0.0)["z"]  # this is the origin of z in a run
     place = [float(last["ring_x"]), float(last["ring_z"]) + seat]
     np.testing.assert_allclose(place, rest.shift[[0, 2]], rtol=0.01, atol=1e-7)
 
 
 def test_a_run_whose_ring_is_held_along_its_axis(tmp_path):
     """The summary states the force that holds the ring of a 7205B along its axis. If this force is
-    applied as a load of the run, no force holds the ring."""
+    applied as a load in the run, the ring need not be held."""
     words = dict(bearing="7205B", load=1000, rpm=3000, lubricant="vg46", settle=5, passes=1)
 
     def warnings(axial):
@@ -97,8 +99,8 @@ def test_a_run_whose_ring_is_held_along_its_axis(tmp_path):
     [("6208", 4304, 4087, 376), ("6210", 1671, 1067, 2800), ("7205B", 0.1, 300, 8000)],
 )
 def test_torque(tmp_path, name, load, axial, rpm):
-    """The friction torque of settled runs with the models `full` agrees within 1 %, also with spin,
-    and with the starvation of a bearing whose file states diameters but no series."""
+    """The friction torque of settled runs with the models `full` agrees within 1 %. This includes
+    spin, and the starvation of a bearing whose file states diameters but no series."""
     words = dict(bearing=name, load=load, axial=axial, rpm=rpm, models="full", lubricant="vg46")
     succeed("inputs/in.6208", out=tmp_path, settle=60, passes=1, samples=20, **words)
     with xarray.open_dataset(tmp_path / "record.nc") as data:
@@ -119,8 +121,8 @@ def losses(name, load, axial, rpm, temperature=40.0):
 
 
 def test_balls_that_slide_under_their_gyroscopic_moment(tmp_path):
-    """In a 7208B in hot oil the balls slide across their grooves with 0.9 of the available
-    friction, which loses 13 times as much power as differential slip and spin. The loads from
+    """In a 7208B in hot oil, the balls slide across their grooves and use 0.9 of the available
+    friction. This dissipates 13 times as much power as differential slip and spin. The loads from
     statics are 5 % higher, because the balance of forces does not include friction, and the orbital
     speed is 3 % lower."""
     scene = dict(axial=1100, rpm=10000)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results from statics next to those of a run: their operating point, how far runs deviate, and
-cases for which statics gives no results."""
+"""Tests of the results from statics that are given next to those of a run: their operating point,
+how far runs deviate from them, and cases in which statics gives no results."""
 
 import json
 import math
@@ -19,7 +19,7 @@ SHORT = dict(passes=1, samples=20)
 
 
 def beside(folder, bearing=None):
-    """Return (results of the run, results of statics, reason)."""
+    """Return (results of the run, results of statics, reason why there are none)."""
     tables = RunTables(folder, bearing=bearing)
     figures = summary(tables)
     found = statics(tables, figures)
@@ -28,7 +28,7 @@ def beside(folder, bearing=None):
 
 @pytest.mark.parametrize("azimuth", [-math.pi / 2, 0.7])
 def test_the_point_of_the_run(tmp_path, capsys, azimuth):
-    """`raceway static` gives the same results at the same operating point for any direction of the
+    """At the same operating point, `raceway static` gives the same results for any direction of the
     load; moment and tilt rotate with the load."""
     moment = 12.0
     words = dict(moment_x=-moment * math.sin(azimuth), moment_y=moment * math.cos(azimuth))
@@ -71,10 +71,10 @@ CASES = {
 
 @pytest.mark.parametrize("case", CASES)
 def test_runs_are_near(tmp_path, case):
-    """Loads, films and cage speed of settled runs agree within 1 %. Four positions of the balls
-    give the largest load to 0.7 % and the mean capacitance to 0.5 %. If a ring is held along its
-    axis, contact angles differ around the ring, and so do the speeds of the balls; statics uses the
-    mean of these speeds, 1.2 % above the cage speed of the run."""
+    """Loads, films and cage speed of settled runs agree within 1 %. With four positions of the
+    balls, the largest load is accurate to 0.7 % and the mean capacitance to 0.5 %. If a ring is
+    held along its axis, contact angles vary around the ring, and so do the speeds of the balls;
+    statics uses the mean of these speeds, which is 1.2 % higher than the cage speed of the run."""
     words = {"models": "full", **OIL, **CASES[case]}
     settle = 2 if case == "four points" else 20
     succeed("inputs/in.6208", out=tmp_path, settle=settle, passes=1, samples=40, **words)
@@ -90,8 +90,8 @@ def test_runs_are_near(tmp_path, case):
 
 
 def test_two_bearings_on_a_shaft(tmp_path):
-    """Each of two named bearings has its own data and oil. Statics holds each ring at the position
-    measured in the run, even if the ring slides along the axis."""
+    """Each of two named bearings has its own data and its own oil. Statics holds each ring at the
+    position measured in the run, even if the ring slides along the axis."""
     done = run("docs/decks/in.two_bearings", out=tmp_path, models=None, settle=None)
     assert done.code == 0, done.error
     names = []

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ring on supports under gravity agrees with the closed-form solution for damped oscillators."""
+"""The motion of a ring on supports under gravity agrees with the closed-form solution for damped
+oscillators."""
 
 import re
 
@@ -17,13 +18,13 @@ DIRECTIONS = {
     "rx": (2.0, ACROSS, 4e4, 0.5),
     "ry": (-1.0, ACROSS, 2e4, 0.0),
 }
-FALL = np.array([1.0, -1.0, 0.5]) / 1.5  # direction of the deck's gravity
+FALL = np.array([1.0, -1.0, 0.5]) / 1.5  # direction of gravity in the deck
 MOVERS = {"implicit": {}, "verlet": {"mover": "moving nve/sphere", "show": "time"}}
 
 
 def swing(t, load, inertia, stiffness, damping):
     """Return the displacement and its second derivative at the times t (s) after a load is applied
-    at rest."""
+    to a body at rest."""
     free = np.sqrt(stiffness / inertia)
     ratio = damping / (2 * np.sqrt(stiffness * inertia))
     root = -ratio * free + 1j * free * np.sqrt(1 - ratio**2)
@@ -50,7 +51,8 @@ def test_free_decay(tmp_path, mover, fall):
 
 @pytest.mark.parametrize("name", DIRECTIONS)
 def test_frequency_and_damping(name, swings):
-    """The fitted decay rates and frequencies agree with those of the springs and dampers."""
+    """The fitted decay rates and frequencies agree with the values for these springs and
+    dampers."""
     load, inertia, stiffness, damping = DIRECTIONS[name]
     free, decay = np.sqrt(stiffness / inertia), damping / (2 * inertia)
     for data in swings:
@@ -68,7 +70,7 @@ def test_frequency_and_damping(name, swings):
 
 @pytest.fixture(scope="module")
 def swings(tmp_path_factory):
-    """Return the columns of ring.dat for both integrators."""
+    """Return the columns of ring.dat for each of the two integrators."""
     found = []
     for words in MOVERS.values():
         folder = tmp_path_factory.mktemp("swing")
@@ -80,18 +82,18 @@ def swings(tmp_path_factory):
 
 @pytest.mark.parametrize("fall", [0, 9.81])
 def test_energy(tmp_path, fall):
-    """The work of load and gravity equals the heat in the dampers plus the energy of motion and of
-    the springs."""
+    """The work of load and gravity equals the heat generated in the dampers plus the energy of
+    motion and of the springs."""
     text = succeed(DECK, out=tmp_path, fall=fall).text
     work, lost, stored, rest = map(float, re.findall(r"^ *4000 +(.*)$", text, re.M)[-1].split())
     assert work == pytest.approx(lost + stored, abs=1e-6 * work)
-    # the estimated local error is 0.1 nm per step, with springs of 2e8 N/m displaced by 10 um
+    # the estimated local error is 0.1 nm per step, while springs of 2e8 N/m are displaced by 10 um
     assert abs(rest) < 1e-6 * work
 
 
 def test_momentum(tmp_path):
-    """The forces of supports, load and weight give the acceleration at every sample, to the ten
-    digits that the host prints: 1e-6 N of 2 kN."""
+    """At every sample, the forces of supports, load and weight give the acceleration to within the
+    ten digits that the host prints, i.e. 1e-6 N of 2 kN."""
     succeed(DECK, out=tmp_path, fall=9.81)
     x, y, fx, fy, ax, ay = np.loadtxt(tmp_path / "ring.dat").T[[1, 2, 6, 7, 8, 9]]
     assert MASS * ax == pytest.approx(fx + 200 + MASS * 9.81 * FALL[0], abs=1e-6)

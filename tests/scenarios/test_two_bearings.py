@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/decks/in.two_bearings, a plain deck: a 6208 and a 6306 on one shaft, each with its own
+"""docs/decks/in.two_bearings is a plain deck with a 6208 and a 6306 on one shaft, each with its own
 oil."""
 
 import numpy as np
@@ -7,7 +7,7 @@ import pytest
 import raceway
 from host import succeed
 
-AT = {1: 0.03, 2: 0.33}  # positions of the bearings along the shaft, m
+AT = {1: 0.03, 2: 0.33}  # m, positions of the bearings along the shaft
 LOADS = [(0.1874, (0, -133, 0)), (0.39, (1500, 0, 0)), (0.18, (0, 0, 400))]  # m, N, as in the deck
 
 
@@ -19,8 +19,8 @@ def run(tmp_path_factory):
 
 
 def reaction(run, number):
-    """Return the mean force (N) of the balls on the inner ring of bearing `number`, and their
-    moment (N m) about the ring's centre."""
+    """Return (mean force (N) of the balls on the inner ring of bearing `number`, moment (N m) of
+    this force about the centre of the ring)."""
     mean = run.select(number).rings.isel(time=slice(1, None)).mean("time")
     return tuple(
         np.array([float(mean[name]) for name in names])
@@ -29,8 +29,8 @@ def reaction(run, number):
 
 
 def test_each_has_its_data(run):
-    """The pressure-viscosity coefficients of vg46 at 60 C and of grease110 differ, as do the
-    balls."""
+    """vg46 at 60 C and grease110 have different pressure-viscosity coefficients, and the bearings
+    have different balls."""
     one, other = (run.select(number).settings for number in run.bearing_numbers)
     assert (one["ball_diameter_m"], other["ball_diameter_m"]) == (12.6e-3, 12.3e-3)
     assert (one["clearance_m"], other["clearance_m"]) == pytest.approx((10e-6, 8e-6))
@@ -39,8 +39,8 @@ def test_each_has_its_data(run):
 
 
 def test_forces_and_moments_balance(run):
-    """Averaged over whole ball passes, the bearings balance the force and the moment of the loads;
-    the floating bearing carries no thrust."""
+    """Averaged over whole ball passes, the reactions of the bearings balance the force and the
+    moment of the loads; the floating bearing carries no thrust."""
     force, moment = np.zeros(3), np.zeros(3)
     for number, z in AT.items():
         of, couple = reaction(run, number)

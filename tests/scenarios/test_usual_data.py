@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing that is defined by its usual data: pitch diameter, conformities, contact angle or
-clearance, pocket play, bore and width."""
+"""A bearing is defined by its usual data: pitch diameter, conformities, contact angle or clearance,
+pocket play, bore and width."""
 
 import contextlib
 import io
@@ -15,7 +15,7 @@ from host import ROOT, liggghts, run, succeed
 from raceway import cli, inputs
 
 SHORT = {"passes": 1, "samples": 50, "dumps": "yes"}
-# the play is that of inputs/bearings/6208, whose cage balls have 33 um on each side
+# the play is that of inputs/bearings/6208, whose cage balls have 33 um of play on each side
 USUAL = {
     "balls": 9,
     "ball_diameter": 12.6e-3,
@@ -29,7 +29,7 @@ USUAL = {
 
 
 def folder(tmp_path, usual):
-    """Return an inputs folder with the bearing `mine`."""
+    """Return an inputs folder that contains the bearing `mine`."""
     own = tmp_path / "inputs"
     own.mkdir()
     (own / "lubricants").symlink_to(ROOT / "inputs" / "lubricants")
@@ -63,8 +63,8 @@ def settings(out):
 
 
 def test_angular_contact(tmp_path):
-    """Deck and Python use the same geometry: the contact angle without load is the nominal angle,
-    the balls are on the pitch circle, and loads agree with statics."""
+    """The deck and Python use the same geometry: the contact angle without load is the nominal
+    angle, the balls are on the pitch circle, and the loads agree with statics."""
     load = {"load": 2000, "axial": 4000, "lubricant": "vg46"}
     succeed("inputs/in.6208", bearing=7208, out=tmp_path, rpm=300, passes=2, **load)
     said = settings(tmp_path)
@@ -86,7 +86,7 @@ def test_angular_contact(tmp_path):
 
 
 def statics(*words):
-    """Return the output of `raceway static` for the 7208."""
+    """Return the output of `raceway static` for a 7208."""
     said = io.StringIO()
     with contextlib.redirect_stdout(said):
         assert cli.main(["static", "--bearing", "7208", "--json", "--exact-circle", *words]) == 0
@@ -94,8 +94,9 @@ def statics(*words):
 
 
 def test_deck_with_combined_load(tmp_path):
-    """Displacement and tilt in docs/decks/in.combined agree with statics, in which x is the deck's
-    -y and y is the deck's x. The displacement along z is measured from the first contact."""
+    """Displacement and tilt in docs/decks/in.combined agree with statics, where x is the deck's -y
+    and y is the deck's x. The displacement along z is measured from the position of first
+    contact."""
     succeed("docs/decks/in.combined", out=tmp_path)
     static = statics(*"--load 2000 --axial 4000 --moment 0 20 --rpm 1500".split())
     with xarray.open_dataset(tmp_path / "record.nc") as data:
@@ -111,8 +112,8 @@ def test_deck_with_combined_load(tmp_path):
 
 
 def test_deck_with_an_unbalanced_shaft(tmp_path):
-    """In docs/decks/in.unbalance the centre of the shaft orbits once per revolution, and the
-    contacts carry weight and unbalance."""
+    """In docs/decks/in.unbalance, the centre of the shaft orbits once per revolution, and the
+    contacts carry the weight and the unbalance."""
     succeed("docs/decks/in.unbalance", out=tmp_path)
     speed, force = 3000 * math.pi / 30, 2e-3 * (3000 * math.pi / 30) ** 2
     with xarray.open_dataset(tmp_path / "record.nc") as data:
@@ -120,7 +121,7 @@ def test_deck_with_an_unbalanced_shaft(tmp_path):
         turn = np.exp(-1j * speed * data["time"])
         whirl = complex((2 * ring["ring_x"] * turn).mean())
         met = complex((2 * ring["ring_fx"] * turn).mean())
-        # the contact force is opposite in phase to the displacement: force + M w^2 r
+        # the contact force is opposite in phase to the displacement, so it is force + M w^2 r
         assert abs(met) == pytest.approx(force + 4 * speed**2 * abs(whirl), rel=0.01)
         assert math.cos(np.angle(met) - np.angle(whirl)) < -0.99
     words = "--bearing 6208 --load 500 --clearance -20e-6".split()

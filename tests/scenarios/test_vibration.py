@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The main deck with the integrator `vibration`: samples at the requested rate, a moving housing,
-and the lines of a spall in the envelope of its signal."""
+"""Tests of the main deck with the integrator `vibration`: samples at the requested rate, a housing
+that moves, and the lines of a spall in the envelope of the housing's signal."""
 
 import numpy as np
 import pytest
@@ -39,7 +39,7 @@ def test_lines_of_a_spall(tmp_path, side, names, length):
     for line in wanted:
         assert line.note == "", line
         assert line.found == pytest.approx(line.by_cage, rel=2e-3), line
-    # a flaw of the other raceway would have no line at these frequencies
+    # a flaw on the other raceway would cause no line at these frequencies
     other = {"outer": "BPFI", "inner": "BPFO"}[side]
     assert all(line.note for line in lines if line.name == other)
 
@@ -53,7 +53,7 @@ def perfect(tmp_path_factory):
 
 def test_rate(perfect):
     """The sampling rate of the record is the requested rate times `oversampling`, and the record
-    covers its ball passes to the nearest sample."""
+    covers whole ball passes to the nearest sample."""
     run = raceway.open(perfect)
     sample_s, passes = run.settings["sample_s"], run.settings["passes"]
     assert sample_s == pytest.approx(1 / (2 * 25600), rel=1e-12)
@@ -65,7 +65,7 @@ def test_rate(perfect):
 
 
 def test_a_repeat_with_more_samples(perfect):
-    """When `raceway check` repeats a run with a finer tolerance, it also uses a finer step."""
+    """When `raceway check` repeats a run with a finer tolerance, it also uses a shorter step."""
     more = check.repeats(RunTables(perfect))["sampling"]
     assert more["oversampling"] == "4" and more["samples"] == "200"
     assert more["sampling"] == "25600" and more["housing_frequency"] == "4000"
@@ -80,9 +80,9 @@ def test_the_housing_carries_the_load(perfect):
 
 @pytest.mark.parametrize("order, shift", [(8, -1), (10, 1)])
 def test_a_fine_wave_stands_out(tmp_path, order, shift):
-    """A wave with an amplitude of 0.01 um and the order Z - 1 or Z + 1 on the inner raceway gives a
-    line at BPFI - shaft or BPFI + shaft, respectively. The line has a hundred times the amplitude
-    that it has in a perfect bearing, and there is no line at the other frequency."""
+    """A wave with an amplitude of 0.01 um on the inner raceway causes a line at BPFI - shaft if its
+    order is Z - 1, and at BPFI + shaft if its order is Z + 1. The line has a hundred times the
+    amplitude that it has in a perfect bearing, and there is no line at the other frequency."""
     heard = {}
     for name, flaw in (("perfect", "none"), ("wave", f"wave {order} 1.0e-8 0")):
         folder = tmp_path / name

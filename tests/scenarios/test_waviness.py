@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Waviness of a raceway moves the inner ring with the frequency, direction and amplitude predicted
-by theory, in a slowly rotating 6208 under 1 kN along its axis, with all nine balls loaded."""
+by theory. The 6208 rotates slowly under an axial load of 1 kN, and all nine balls are loaded."""
 
 import numpy as np
 import pytest
@@ -17,9 +17,9 @@ def waves(*orders, amplitude=AMPLITUDE):
 
 
 def turned(folder, **variables):
-    """Return the time (s), the displacement of the inner ring across its axis (x + i y) and along
-    it (m), the speeds of ring and cage (rad/s), and the quasi-static response per amplitude, across
-    and along the axis."""
+    """Return the time (s), the displacement of the inner ring perpendicular to its axis (x + i y)
+    and along it (m), the speeds of ring and cage (rad/s), and the quasi-static response per
+    amplitude in both directions."""
     succeed("tests/scenarios/in.waves", out=folder, rpm=RPM, **variables)
     run = raceway.open(folder)
     time = run.rings["time"].values
@@ -36,8 +36,8 @@ def turned(folder, **variables):
 
 
 def lines(time, values, speeds):
-    """Return the amplitudes at `speeds` (rad/s, positive in the sense of rotation), fitted together
-    with a mean."""
+    """Return the amplitudes at `speeds` (rad/s, positive in the direction of rotation), fitted
+    together with a mean value."""
     columns = np.exp(1j * np.outer(time, [0.0, *speeds]))
     found, *_ = np.linalg.lstsq(columns, values.astype(complex), rcond=None)
     return dict(zip(speeds, np.abs(found[1:])))
@@ -45,11 +45,11 @@ def lines(time, values, speeds):
 
 @pytest.mark.parametrize("ring", ["outer", "inner"])
 def test_one_before_and_after_the_balls(tmp_path, ring):
-    """Orders Z - 1 and Z + 1 of the outer raceway make the ring whirl with and against the shaft,
-    respectively, at Z times the cage speed. The same orders of the inner raceway make it whirl
-    against and with the shaft at Z (w - w_c) - w and Z (w - w_c) + w, where w is the shaft speed
-    and w_c the cage speed. Order Z moves the ring along its axis. The effect of each order alone is
-    that found by statics."""
+    """On the outer raceway, orders Z - 1 and Z + 1 make the ring whirl at Z times the cage speed,
+    with and against the rotation of the shaft, respectively. On the inner raceway, the same orders
+    make it whirl against and with the shaft at Z (w - w_c) - w and Z (w - w_c) + w, where w is the
+    shaft speed and w_c the cage speed. Order Z moves the ring along its axis. The effect of each
+    order alone equals the result of statics."""
     orders = (BALLS - 1, BALLS, BALLS + 1)
     time, across, along, shaft, cage, (radial, axial) = turned(
         tmp_path, **{f"flaw_{ring}": waves(*orders)}
@@ -80,9 +80,9 @@ def test_one_wave_whirls_one_way(tmp_path, order, way):
 
 def test_other_orders_move_nothing(tmp_path):
     """With eleven waves at once, no line differs from the line of a smooth bearing by more than
-    1e-3 of the amplitude of one wave. The waves have a tenth of the amplitude in the other tests,
-    because two waves together give lines in proportion to the product of their amplitudes, 3e-3 of
-    an amplitude of 10 nm."""
+    1e-3 of the amplitude of one wave. The amplitude of the waves is a tenth of that in the other
+    tests, because two waves together cause lines in proportion to the product of their amplitudes,
+    namely 3e-3 of an amplitude of 10 nm."""
     flat = 0.1 * AMPLITUDE
     orders = [n for n in range(2, 16) if n % BALLS not in (0, 1, BALLS - 1)]
     smooth = turned(tmp_path / "smooth")
@@ -97,11 +97,11 @@ def test_other_orders_move_nothing(tmp_path):
 
 def test_waves_of_a_ball(tmp_path):
     """A wave of even order n makes a ball larger and smaller n times per turn relative to the cage.
-    The ring then whirls at n times the speed of the ball relative to the cage plus and minus the
+    The ring then whirls at n times the speed of the ball relative to the cage, plus and minus the
     cage speed, and moves along its axis at n times this ball speed. A wave of odd order touches
-    both raceways at once, one with a crest and one with a trough, and moves nothing. The path of
-    the contacts crosses the wave off the equator. Along the axis the ring is still settling, which
-    adds 5e-3 of the line at any speed."""
+    both raceways at once, one with a crest and the other with a trough, so it moves nothing. The
+    path of the contacts crosses the wave off the equator. Along the axis the ring is still
+    settling, which adds 5e-3 of the line at any speed."""
     time, across, along, _, cage, _ = turned(
         tmp_path, flaw_ball=f"wave 2 {AMPLITUDE} 0.3 wave 3 {AMPLITUDE} 0.3"
     )
@@ -111,7 +111,7 @@ def test_waves_of_a_ball(tmp_path):
     outward = ((wx * x + wy * y) / np.hypot(x, y)).mean()
     turns = np.hypot(outward, wz.mean() - cage)
     angle = float(run.contacts["angle"].mean())
-    # angle between the normal of the contact and the axis of rotation of the ball
+    # angle between the contact normal and the axis of rotation of the ball
     sine = (outward * np.cos(angle) + (wz.mean() - cage) * np.sin(angle)) / turns
     orbit = 2 * AMPLITUDE / (BALLS * np.cos(angle)) * (1 - sine**2)
     turn = {n: [n * turns + cage, cage - n * turns] for n in (2, 3)}
@@ -124,9 +124,9 @@ def test_waves_of_a_ball(tmp_path):
 
 
 def orbit_of_a_larger_ball(folder, larger):
-    """Return the position of the ring's centre in the frame that rotates with the larger ball (m,
-    complex), minus the effect of unequal ball spacing, and the closed form to first order in
-    `larger` (m)."""
+    """Return (position of the ring's centre, its closed-form solution to first order in `larger`
+    (m)). The position is complex, in m, in the frame that rotates with the larger ball; the effect
+    of unequal ball spacing is subtracted."""
     time, across, _, _, cage, _ = turned(folder, larger=larger)
     orbit = lines(time, across, [cage, -cage, 2 * cage])
     assert orbit[-cage] < 2e-3 * orbit[cage] and orbit[2 * cage] < 2e-3 * orbit[cage]
@@ -139,15 +139,15 @@ def orbit_of_a_larger_ball(folder, larger):
     stiffness = 0.5 * BALLS * (k * c**2 + across_groove * s**2)
     own = np.exp(-1j * azimuth[:, 0])
     uneven = load * c / stiffness * (np.exp(1j * azimuth).sum(axis=1) * own).mean()
-    # a larger ball fits the grooves more closely: its contacts are stiffer
+    # a larger ball conforms more closely to the grooves, so its contacts are stiffer
     stiffer = (log_stiffness(angle, 1e-8) - log_stiffness(angle, -1e-8)) / 4e-8
     form = larger * c * (k + load * stiffer) / stiffness
     return (across * own).mean() + uneven, form
 
 
 def log_stiffness(angle, larger):
-    """Return the logarithm, except for a constant, of the stiffness of both contacts of a ball
-    whose radius is larger by `larger` (m)."""
+    """Return the logarithm, up to a constant, of the stiffness of both contacts of a ball whose
+    radius is larger by `larger` (m)."""
     radius, groove, compliance = 6.3e-3 + larger, 6.552e-3, 0.0
     for side in (-1, 1):
         along = radius * (1 + side * radius * np.cos(angle) / 30.3e-3)
@@ -157,10 +157,10 @@ def log_stiffness(angle, larger):
 
 
 def test_a_larger_ball_carries_the_ring_around(tmp_path):
-    """One ball has another atom type. The centre of the ring orbits with the cage, and is displaced
-    away from a larger ball. The difference between results for a larger and for a smaller ball
-    isolates the first order. The closed form with constant stiffness, 2 dD/(Z cos a), is 0.5 % too
-    low, because a larger ball has stiffer contacts."""
+    """One ball has a different atom type. The centre of the ring orbits with the cage, and is
+    displaced away from a larger ball. The difference between the results for a larger and for a
+    smaller ball isolates the first order. The closed-form solution with constant stiffness, 2 dD/(Z
+    cos a), is 0.5 % too low, because a larger ball has stiffer contacts."""
     found = [
         orbit_of_a_larger_ball(tmp_path / str(k), larger) for k, larger in enumerate((1e-7, -1e-7))
     ]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Unbalance and rotating force of fix bearing/ring, with both integrators.
+"""Tests of the unbalance and the rotating force of fix bearing/ring with both integrators.
 
-Without contact the equations are those of a point mass under a rotating force:
-M x'' = A cos(w t + p), M y'' = A sin(w t + p), from rest.
+Without contact, the equations are those of a point mass under a rotating force, starting from rest:
+M x'' = A cos(w t + p), M y'' = A sin(w t + p).
 """
 
 import re
@@ -17,7 +17,7 @@ KEYS = ("x", "y", "vx", "vy", "angle", "load_x", "load_y")
 
 
 def end(**variables):
-    """Return the state of the ring that the deck prints at the end."""
+    """Return the final state of the ring that the deck prints."""
     text = succeed(DECK, **variables).text
     numbers = [float(word) for word in re.search(r"^END (.*)$", text, re.M)[1].split()]
     ring = dict(zip(KEYS, numbers, strict=True))
@@ -28,7 +28,7 @@ def end(**variables):
 
 
 def whirl(force, speed, phase, time):
-    """Return displacement and velocity of a free mass (m, m/s) under a force in N."""
+    """Return displacement (m) and velocity (m/s) of a free mass under a force in N."""
     a, t = force / MASS / speed**2, time
     turned = speed * t + phase
     return {
@@ -40,7 +40,7 @@ def whirl(force, speed, phase, time):
 
 
 def error(found, exact):
-    """Return the largest displacement error relative to 20 um."""
+    """Return the largest error of the displacement relative to 20 um."""
     return max(abs(found[key] - exact[key]) for key in ("x", "y")) / 2e-5
 
 
@@ -48,7 +48,7 @@ def error(found, exact):
     "words, speed", [("unbalance 1e-5 0.3", 100), ("rotating 0.05 -60 0.3", -60)]
 )
 def test_closed_form_verlet(words, speed):
-    """The error is of second order in the step."""
+    """The error is of second order in the time step."""
     force = 1e-5 * 100**2 if "unbalance" in words else 0.05
     exact = whirl(force, speed, 0.3, 0.1)
     coarse, fine = (
@@ -61,8 +61,8 @@ def test_closed_form_verlet(words, speed):
     "words, speed", [("unbalance 1e-5 0.3", 100), ("rotating 0.05 -60 0.3", -60)]
 )
 def test_closed_form_implicit(words, speed):
-    """Internal steps follow the tolerance, so that even host steps of a quarter of a turn are
-    accurate enough."""
+    """Internal steps follow the tolerance, so that the results are accurate enough even with host
+    steps of a quarter of a turn."""
     force = 1e-5 * 100**2 if "unbalance" in words else 0.05
     exact = whirl(force, speed, 0.3, 0.1)
     found = [
@@ -71,7 +71,7 @@ def test_closed_form_implicit(words, speed):
     ]
     errors = [error(one, exact) for one in found]
     assert errors[1] < 1e-5 and errors[1] < 0.2 * errors[0]
-    # all the work done by the load becomes kinetic energy of the ring, because the balls are at
+    # the work done by the load becomes kinetic energy of the ring only, because the balls are at
     # rest
     ring = found[1]
     kinetic = 0.5 * MASS * (exact["vx"] ** 2 + exact["vy"] ** 2)
@@ -81,7 +81,7 @@ def test_closed_form_implicit(words, speed):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_same_as_rotating_force(integrator):
-    """In a preloaded bearing an unbalance acts like a force M E w^2 that rotates with the ring."""
+    """In a preloaded bearing, an unbalance acts like a force M E w^2 that rotates with the ring."""
     words = ("unbalance 2e-3 0.7", "rotating 20 100 0.7")
     step = {"implicit": 1e-3, "verlet": 1e-6}[integrator]
     one, other = (
@@ -99,7 +99,7 @@ def test_same_as_rotating_force(integrator):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_run_up(integrator):
-    """If w = b t, the ring loses the momentum of the eccentric mass, M E w (-sin, cos)."""
+    """If w = b t, the ring loses the momentum of the eccentric mass, which is M E w (-sin, cos)."""
     growth, time = 500.0, 0.1
     ring = end(integrator=integrator, spin=f"{growth}*time", words="unbalance 1e-5 0", step=1e-5)
     turned, speed = 0.5 * growth * time**2, growth * time

@@ -47,8 +47,8 @@ def point(filling, phase=0.0):
 
 
 def test_mean_is_that_of_statics(whole, filling):
-    """Means over the positions of the balls agree within 0.3 %. They differ because the balls skid
-    and the ring moves slightly."""
+    """Means over the positions of the balls agree within 0.3 %. The differences arise because the
+    balls skid and the ring moves slightly."""
     phases = 2 * np.pi / 9 * np.arange(8) / 8
     statics = [point(filling, phase).capacitors() for phase in phases]
     assert float(whole["bearing"].mean()) == pytest.approx(
@@ -68,8 +68,8 @@ def test_gaps_are_the_run_s_overlaps(run, whole):
 
 
 def test_plates_are_the_run_s(run, whole):
-    """The capacitances of the plates agree for contacts that carry more than Q_u, the centrifugal
-    force of a ball."""
+    """The capacitances of the plates agree for those contacts that carry more than Q_u, the
+    centrifugal force on a ball."""
     plates = run.contacts["capacitance"].sel(time=whole["time"]).transpose(*whole["plates"].dims)
     heavy = whole["load"] > 1.001 * whole.attrs["quiet_load_N"]
     assert float(np.abs(whole["plates"] / plates - 1).where(heavy).max()) < 1e-9
@@ -77,19 +77,20 @@ def test_plates_are_the_run_s(run, whole):
 
 
 def test_no_jump_where_contact_is_lost(whole):
-    """With 60 samples per pass, the capacitance of a ball changes little more between two samples
-    where a contact opens or closes than between other samples."""
+    """With 60 samples per pass, the change of a ball's capacitance between two samples is little
+    larger where a contact opens or closes than elsewhere."""
     one = whole["one_ball"].to_numpy()
     load = whole["load"].sel(raceway="inner").to_numpy()
     steps = np.abs(np.diff(one, axis=0)) / one[1:]
     lost = (load[1:] > 0) != (load[:-1] > 0)
-    # one ball enters and one leaves in each of two passes
+    # in each of two passes, one ball enters and one leaves
     assert lost.sum() == 4 and steps[lost].max() < 1.2 * steps[~lost].max() < 0.02
 
 
 @pytest.mark.parametrize("rpm", [477.5, 9549.0])
 def test_time_is_resolved(tmp_path, rpm):
-    """With clearance, at low and at high speed, every second sample alone gives the same mean."""
+    """With clearance, at low and at high speed, using only every second sample gives the same
+    mean."""
     succeed("inputs/in.6208", out=tmp_path / "run", passes=2, rpm=rpm, clearance=CLEARANCE)
     total = whole_capacitance.over_time(raceway.open(tmp_path / "run"))["bearing"][1:].to_numpy()
     assert len(total) >= 398 and np.abs(np.diff(total) / total[1:]).max() < 2e-3
@@ -117,7 +118,7 @@ def test_dry_runs_have_none(tmp_path):
         whole_capacitance.over_time(raceway.open(tmp_path / "run"))
 
 
-# ---- compared with the engine, which computes the same figures with its own formulas -------------
+# ---- compared with the engine, which computes the same quantities with its own formulas ----------
 @pytest.fixture(scope="module", params=["flooded", "cavitated"])
 def recorded(request, tmp_path_factory):
     folder = tmp_path_factory.mktemp("whole") / "run"
@@ -136,7 +137,7 @@ def recorded(request, tmp_path_factory):
 
 
 def test_the_record_is_taken(recorded):
-    """The columns of the record and the settings of the fix that are stored in it are used."""
+    """The columns of the record, and the settings of the fix that are stored in it, are used."""
     found = whole_capacitance.over_time(recorded)
     assert found.attrs["source"] == "record"
     filling = whole_capacitance.filling_of(recorded)
@@ -147,9 +148,9 @@ def test_the_record_is_taken(recorded):
 
 
 def test_engine_and_python(recorded):
-    """Loads, films and positions come from the run; engine and Python have separate formulas. Their
-    results differ for films of balls that carry less than Q_u, because the engine uses the orbital
-    speed of each ball."""
+    """Loads, films and positions are taken from the run; the engine and Python have separate
+    formulas. The results differ for films of balls that carry less than Q_u, because the engine
+    uses the orbital speed of each ball."""
     own = whole_capacitance.over_time(recorded, whole_capacitance.filling_of(recorded))
     engine = whole_capacitance.over_time(recorded)
     loaded = own["load"] > 0
