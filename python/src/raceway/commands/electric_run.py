@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway electric DIR`: the electrical figures of a run, from its record."""
+"""`raceway electric DIR`: compute the electrical quantities of a run from its record."""
 
 import argparse
 import json
@@ -8,15 +8,17 @@ import sys
 from contextlib import redirect_stdout
 from pathlib import Path
 
-STATIC = (  # options of an operating point
+STATIC = (  # options that apply only to an operating point
     "load", "axial", "rpm", "clearance", "temperature", "models", "lubricant", "inputs",
     "measured", "measured_impedance",
 )  # fmt: skip
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the figures of the run `arguments.folder`, write picture and table. Raises
-    `RacewayError`."""
+    """Print the results of the run `arguments.folder` and write the picture and the table.
+
+    Raise `RacewayError` if the run cannot be used.
+    """
     import raceway
     from raceway.runs import film_figures, film_table, whole_capacitance
 
@@ -69,7 +71,8 @@ def _number(arguments):
 
 
 def _filling(arguments, of):
-    """Filling of the run's gaps with the requested changes; None if no change is requested."""
+    """Return the filling of the gaps in the run with the requested changes, or None if there are
+    none."""
     from raceway.runs import whole_capacitance
 
     names = ("surroundings", "shoulders", "permittivity_at", "roughness")

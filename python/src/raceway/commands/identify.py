@@ -67,7 +67,7 @@ OUT = 3.0  # multiple of its uncertainty above which a deviation is not explaine
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "identify",
         help=HELP,

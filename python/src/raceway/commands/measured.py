@@ -39,7 +39,7 @@ Exit codes: 0 done, 1 the file cannot be read or has too little data, 2 wrong co
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "measured",
         help=HELP,

@@ -29,7 +29,7 @@ WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "needs",
         help="which parts of the model and which numerics a scene needs",

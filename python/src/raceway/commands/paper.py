@@ -25,7 +25,7 @@ Exit codes: 0 done, 1 a case failed (it is named, and products that do not need 
 
 
 def add(commands: Commands) -> None:
-    """Put the subcommand under `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "paper",
         help="figures, tables and statements of the paper",

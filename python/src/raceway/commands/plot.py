@@ -26,7 +26,7 @@ Exit codes: 0 done, 1 the run is broken or lacks the data for the picture, 2 wro
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "plot",
         help="a picture of a run",

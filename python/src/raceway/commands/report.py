@@ -20,7 +20,7 @@ Exit codes: 0 done, 1 the folder holds no finished run and no sweep, 2 wrong com
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "report",
         help="a run or a sweep as one HTML page",

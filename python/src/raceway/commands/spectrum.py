@@ -46,7 +46,7 @@ Exit codes: 0 done, 1 the run is broken or has no such signal, 2 wrong command l
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "spectrum",
         help="kinematic lines (FTF, BSF, BPFO, BPFI) in the motion and force of the inner ring",

@@ -51,7 +51,7 @@ HOLD = {
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "static",
         help=HELP,

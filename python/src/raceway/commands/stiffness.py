@@ -30,7 +30,7 @@ FORMATS = (".csv", ".json", ".toml")
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "stiffness",
         help="stiffness and damping over load and speed, for ROSS and other programs",

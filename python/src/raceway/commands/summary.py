@@ -15,7 +15,7 @@ Exit codes: 0 done, 1 the folder holds no finished run or a broken one, 2 wrong 
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "summary",
         help="the figures of a run, with units and equations",

@@ -52,7 +52,7 @@ exec {command} --jobs "${{SLURM_CPUS_PER_TASK:-1}}" --part "${{SLURM_ARRAY_TASK_
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     parser = commands.add_parser(
         "sweep",
         help=HELP,

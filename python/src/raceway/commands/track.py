@@ -34,7 +34,7 @@ Exit codes: 0 done, 1 the files are wrong or no state carries the loads, 2 wrong
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "track",
         help=HELP,
