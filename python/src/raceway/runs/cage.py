@@ -246,7 +246,7 @@ def pockets_around(tables: "RunTables", bins: int = 72) -> "xr.Dataset":
     record = tables.record
     needed = {"ball_pocket_force", "ball_x", "ball_y"}
     if missing := sorted(needed - set(record.variables)):
-        raise RunError(f"{record.path} has no {', '.join(missing)}: pocket forces need them")
+        raise RunError(f"{record.path} has no {', '.join(missing)}, as required for pocket forces")
     most, total, count = np.zeros(bins), np.zeros(bins), np.zeros(bins, dtype=int)
     stop = len(record) if tables.stop is None else tables.stop
     for first, last in record.blocks(tables.first, stop):

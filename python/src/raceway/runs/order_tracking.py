@@ -29,11 +29,11 @@ def at_even_angles(values: ArrayLike, angle: ArrayLike) -> tuple[Floats, float]:
     turns = np.abs(turns - turns[0])
     steps = np.diff(turns)
     if not (steps > 0).all():
-        raise ValueError("the shaft must turn one way for an order axis")
+        raise ValueError("the shaft must rotate in one direction for an order axis")
     # The spacing is as fine as that of the samples at the lowest speed, so no frequency is lost.
     count = int(turns[-1] / steps.min()) + 1
     if count > MOST * len(turns):
-        raise ValueError("the shaft nearly stops: choose samples during which it turns")
+        raise ValueError("the shaft nearly stops: choose samples during which it rotates")
     even = np.linspace(0.0, turns[-1], count)
     return interpolate.CubicSpline(turns, np.asarray(values, float))(even), even[1]
 

@@ -98,11 +98,11 @@ def find(
     reach_s = 0.5 * period_s if reach_s is None else reach_s
     if not 0.5 * FEWEST * sample_s <= reach_s <= 0.5 * period_s:
         raise ValueError(
-            f"reach {reach_s:g} s must be {FEWEST // 2} samples, {0.5 * FEWEST * sample_s:g} s, to"
-            f" half a period, {0.5 * period_s:g} s"
+            f"reach {reach_s:g} s must be from {FEWEST // 2} samples"
+            f" ({0.5 * FEWEST * sample_s:g} s) to half a period ({0.5 * period_s:g} s)"
         )
     if len(values) * sample_s < period_s:
-        raise ValueError(f"{len(values)} values must last a period of {period_s:g} s")
+        raise ValueError(f"{len(values)} values must cover a period of {period_s:g} s")
     if not 0 < share < 1:
         raise ValueError(f"share is {share:g}, must lie between 0 and 1")
     turn = np.diff(values, 2, prepend=values[0], append=values[-1])
@@ -249,7 +249,7 @@ def of_run(
     bearing, spin = run.geometry, abs(run.motion.shaft)
     rate = spectrum.places(run, harmonics=1)["BPFI" if raceway == "inner" else "BPFO", 1][1]
     if not (spin and rate):
-        raise RunError(f"{run.where}: a shaft that stands still has no ball passages")
+        raise RunError(f"{run.where}: there are no ball passages, because the shaft is at rest")
     period = 1 / rate
     # A ball hits the far edge before it leaves the spall.
     reach = longest / float(kinematics.entrainment(bearing, spin)) / (1 - QUIET)
@@ -260,14 +260,14 @@ def of_run(
     if sample_s * SLOWEST > 1:
         warnings.warn(
             f"{run.where}: a rate of {1e-3 / sample_s:.5g} kHz is below {1e-3 * SLOWEST:g} kHz:"
-            " lengths from a filtered signal are then wrong, by half or more",
+            " lengths from a filtered signal can be wrong by half or more",
             stacklevel=2,
         )
     unrest = np.median(found.strong.unrest) if len(found.entry) else 0.0
     if unrest > RESTLESS:
         warnings.warn(
             f"{run.where}: before a ball enters the spall, the signal varies by {unrest:.0%} of the"
-            f" entry's dip (more than {RESTLESS:.0%}): lengths can be wrong by half or more",
+            f" depth of the dip (more than {RESTLESS:.0%}): lengths can be wrong by half or more",
             stacklevel=2,
         )
     return found

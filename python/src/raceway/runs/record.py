@@ -64,7 +64,7 @@ class Record:
             raise RunError(f"cannot read {self.path}: {error.strerror or error}") from None
         except (*BY_SCIPY, RecursionError, MemoryError):
             raise RunError(
-                f"cannot read {self.path}: it is cut short or damaged, or no record at all"
+                f"cannot read {self.path}: it is truncated or damaged, or it is not a record"
             ) from None
         self.variables = self.known(self.variables)
         self._fixed = self.known(self._fixed)
@@ -98,8 +98,8 @@ class Record:
         finished = bool(np.any(self._fixed["finished"]))
         if bytes_ < wanted or (finished and bytes_ > wanted):
             raise RunError(
-                f"cannot read {self.path}: it is cut short or damaged, with {bytes_} bytes for"
-                f" {samples} samples that need {wanted}"
+                f"cannot read {self.path}: it is truncated or damaged: {samples} samples need"
+                f" {wanted} bytes, but it has {bytes_}"
             )
 
     def _check_samples(self, rows, first):
@@ -253,7 +253,7 @@ class Record:
         self.need_samples()
         stop = len(self) if stop is None else min(stop, len(self))
         if start >= stop:
-            raise RunError(f"{self.path} holds {len(self)} samples, none from number {start} on")
+            raise RunError(f"{self.path} has {len(self)} samples, none from number {start} on")
         size = max(1, BLOCK // self.record_bytes)
         for first in range(start, stop, size):
             yield first, min(first + size, stop)
@@ -266,36 +266,36 @@ class Record:
         """Raise `RunError` unless the record has one bearing or one has been selected."""
         if self.bearing is None:
             raise RunError(
-                f"{self.path} has {len(self.bearings)} bearings: choose one with --bearing NUMBER,"
-                " in Python run.select(number)"
+                f"{self.path} has {len(self.bearings)} bearings: select one with --bearing NUMBER"
+                " or, in Python, with run.select(number)"
             )
 
     def need_samples(self) -> None:
         """Raise `RunError` if the header counts no samples."""
         if not len(self):
-            raise RunError(f"{self.path} holds no sample: its run has just begun or was stopped")
+            raise RunError(f"{self.path} has no samples: its run has just begun or was stopped")
 
     def need_contacts(self) -> None:
         """Raise `RunError` if the record has no contact columns."""
         if not self.contact_columns:
             raise RunError(
-                f"{self.path} holds no contacts: record them with -var record all, or in your own"
-                " deck with 'contacts usual' of fix bearing/record"
+                f"{self.path} has no contacts: record them with -var record all or, in your own"
+                " deck, with 'contacts usual' of fix bearing/record"
             )
 
 
 def _without_record(folder):
     """Return the reason why the folder has no record, and the remedy."""
     if not folder.is_dir():
-        return "is not a folder: a run makes one, -var out NAME"
+        return "is not a folder: a run with -var out NAME creates one"
     if (folder / "contacts.dump").exists() or (folder / "balls.dump").exists():
         return (
-            f"has text dumps and no {NAME}: raceway reads records; run the deck again with -var"
-            " record all, or read its dumps with raceway of commit a7b5052"
+            f"has text dumps but no {NAME}: raceway reads records; run the deck again with -var"
+            " record all, or read the dumps with raceway at commit a7b5052"
         )
     return (
-        f"has no {NAME}: its run recorded nothing, or it was removed; -var record all or fix"
-        " bearing/record makes one"
+        f"has no {NAME}: its run recorded nothing, or the file was removed; -var record all or fix"
+        " bearing/record writes one"
     )
 
 
@@ -310,7 +310,7 @@ def _check_header(path):
     head[4:8] = bytes(4)  # number of samples
     head[slice(*said.span(1))] = b"0" * 8
     if len(head) < int(said[2]) or _sums(head, 1) != int(said[1], 16):
-        raise RunError(f"cannot read {path}: it is cut short or damaged, in its header")
+        raise RunError(f"cannot read {path}: it is truncated or damaged in its header")
     return len(head)
 
 

@@ -26,7 +26,7 @@ def contacts(record: Record, start: int, stop: int) -> pd.DataFrame:
     """
     record.need_contacts()
     if "load" not in record.contact_columns:
-        raise RunError(f"{record.path} has no column load: record it with the other contacts")
+        raise RunError(f"{record.path} has no column load: record it with the other columns")
     data = record.read(record.contact_columns, start, stop)
     live = data["load"].transpose(0, 2, 1) > 0
     sample, ball, place = np.nonzero(live)
@@ -61,7 +61,7 @@ def atoms(record: Record, start: int, stop: int) -> pd.DataFrame:
     and the number of `samples`. Raise `RunError` if the record has no ball motion.
     """
     if "ball_x" not in record.variables:
-        raise RunError(f"{record.path} is a summary: it has no motion of balls")
+        raise RunError(f"{record.path} is a summary: it does not contain the motion of the balls")
     parts = []
     for kind, prefix, dimension in ((BALL, "ball_", "ball"), (CAGE, "cage_", "cage_ball")):
         if dimension in record.variables:

@@ -55,7 +55,9 @@ def fitted(
     """
     q, v, f = (np.asarray(one, float) for one in (place, velocity, force))
     if not (q.ndim == 2 and q.shape == v.shape == f.shape):
-        raise ValueError(f"places {q.shape}, velocities {v.shape}, forces {f.shape}: must agree")
+        raise ValueError(
+            f"positions {q.shape}, velocities {v.shape} and forces {f.shape} must agree"
+        )
     beside = np.zeros((len(q), 0)) if others is None else np.asarray(others, float)
     known = np.concatenate([q, v, beside], axis=1)
     known, free = known - known.mean(0), f - f.mean(0)

@@ -48,6 +48,6 @@ def _without(words, others):
 
 def _refuse(record, key, own, other):
     raise RunError(
-        f"{record.path} is of another run than run.yaml: {key} is {own} in the record, {other} in"
-        " run.yaml"
+        f"{record.path} belongs to a different run than run.yaml: {key} is {own} in the record,"
+        f" but {other} in run.yaml"
     )

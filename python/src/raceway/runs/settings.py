@@ -106,7 +106,7 @@ def _bearing(record):
             )
     if value["balls"] != len(record.fixed("ball")):
         raise RunError(
-            f"{record.path}: balls is {value['balls']:g}, it has {len(record.fixed('ball'))}"
+            f"{record.path}: balls is {value['balls']:g}, but it has {len(record.fixed('ball'))}"
         )
     wet = np.isfinite(value["viscosity"])
     rings = dict(zip(record.fixed("ring_raceway").tolist(), record.fixed("ring").tolist()))

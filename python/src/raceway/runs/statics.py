@@ -107,13 +107,13 @@ def _applies(tables, run):
     """Raise `NoStatics` if the run is not at one steady operating point."""
     load, turning = loading(tables), tables.turning
     if load is None:
-        raise NoStatics("the record has no forces of the ring")
+        raise NoStatics("the record does not contain the forces on the ring")
     if load.turns or tables.settings.get("unbalance_kg_m"):
-        raise NoStatics("the load turns")
+        raise NoStatics("the load rotates")
     if changes(turning.shaft_speed(tables.first, tables.last)):
         raise NoStatics("the speed changes")
     if turning.speed(OUTER, tables.first, tables.last).any():
-        raise NoStatics("the outer ring turns")
+        raise NoStatics("the outer ring rotates")
     if run.get("flaws"):
         raise NoStatics("raceways or balls have flaws")
     if "thermal_time_s" in run:
@@ -225,7 +225,8 @@ def _same_bearing(body, tables):
     for name in names:
         if not math.isclose(getattr(body, name), getattr(own, name), rel_tol=SAME):
             raise NoStatics(
-                f"{name} of the run is {getattr(own, name):g}, of the file {getattr(body, name):g}"
+                f"{name} is {getattr(own, name):g} in the run but {getattr(body, name):g} in the"
+                " bearing's file"
             )
 
 
@@ -233,4 +234,6 @@ def _same_oil(found, tables):
     for key in ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "roughness_m"):
         own = tables.settings.get(key)
         if key in found and own and not math.isclose(found[key], own, rel_tol=SAME):
-            raise NoStatics(f"{key} of the run is {own:g}, of the lubricant's file {found[key]:g}")
+            raise NoStatics(
+                f"{key} is {own:g} in the run but {found[key]:g} in the lubricant's file"
+            )

@@ -208,8 +208,8 @@ def _need_window(tables):
     count = len(tables.rings)
     if not (tables.rings["sample"] > 0).any():
         raise RunError(
-            f"{tables.record.path} holds {count} sample{'s' * (count != 1)}: figures are means"
-            " over the samples after the start, but there are none"
+            f"{tables.record.path} has {count} sample{'s' * (count != 1)}: results are means over"
+            " the samples after the start, but there are none"
         )
 
 
@@ -230,8 +230,8 @@ def _need_agreement(tables):
             if len(wrong := np.flatnonzero(~np.isclose(own, said, rtol=1e-6, atol=0))):
                 raise RunError(
                     f"{record.path} is damaged: in sample {first + wrong[0] + 1} the largest load"
-                    f" on the {name} raceway is {own[wrong[0]]:g} N by the contacts and"
-                    f" {said[wrong[0]]:g} N by the bearing"
+                    f" on the {name} raceway is {own[wrong[0]]:g} N according to the contacts, but"
+                    f" {said[wrong[0]]:g} N according to the bearing"
                 )
 
 

@@ -190,7 +190,7 @@ class RunTables:
         """Return the azimuths of the rows of `contacts` in rad, relative to the centre of the load
         zone. Raise `RunError` if the run has not recorded them."""
         if "azimuth" not in contacts:
-            raise RunError(f"{self.record.path} has no column azimuth: record it as well")
+            raise RunError(f"{self.record.path} has no column azimuth; it must be recorded")
         return self.from_load_line(contacts["azimuth"].to_numpy())
 
 

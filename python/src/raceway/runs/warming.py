@@ -56,7 +56,9 @@ def transient(folder: FilePath) -> "xr.Dataset":
     except ValueError as error:
         raise RunError(f"{path} is damaged: {error}") from None
     if not names or set(names) - set(HEAT):
-        raise RunError(f"{path} is not a table of fix bearing/heat: its first line has other names")
+        raise RunError(
+            f"{path} is not a table of fix bearing/heat: the names in its first line differ"
+        )
     data = {
         name: ("thermal_time", values[:, k], _attributes(name))
         for k, name in enumerate(names)
