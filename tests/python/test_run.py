@@ -108,7 +108,7 @@ def test_geometry(folder):
     "made, said",
     [
         (None, "is not a folder: a run with -var out NAME creates one"),
-        ("run.yaml", "has no record.nc: its run recorded nothing, or it was removed"),
+        ("run.yaml", "has no record.nc: its run recorded nothing, or the file was removed"),
         ("contacts.dump", "has text dumps but no record.nc: raceway reads records; run the deck"),
     ],
 )

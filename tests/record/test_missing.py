@@ -125,7 +125,7 @@ def test_nothing_was_recorded(words, tmp_path, capsys):
     for command in (["summary"], ["plot", "--kind", "motion"], ["animate"], ["report"]):
         assert main([command[0], str(folder), *command[1:]]) == 1
         said = capsys.readouterr().err
-        assert "has no record.nc: its run recorded nothing, or it was removed" in said
+        assert "has no record.nc: its run recorded nothing, or the file was removed" in said
         assert "-var record all or fix bearing/record writes one" in said and "column" not in said
 
 
