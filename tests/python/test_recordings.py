@@ -208,7 +208,7 @@ def test_no_speed_from_what_is_no_shaft(bearing):
         ("a.npz", lambda path: np.savez(path, a=np.ones(64)), {}, "not state its sampling rate"),
         ("a.npz", lambda path: np.savez(path, a=np.ones(64)), {"rate": 1e3}, "speed of the shaft"),
         ("a.npz", lambda path: np.savez(path, a=[1, np.nan]), {}, "not finite"),
-        ("a.csv", lambda path: path.write_text("t,a\n0,1\n1,2\n5,3\n"), {}, "even steps"),
+        ("a.csv", lambda path: path.write_text("t,a\n0,1\n1,2\n5,3\n"), {}, "equal steps"),
         ("a.csv", lambda path: path.write_text("t,a\n0,1\n1,x\n2,3\n"), {}, "not a row of numbers"),
         ("acc_00001.csv", lambda path: path.write_text("1,2\n3,4\n"), {}, "has 2 columns"),
     ],

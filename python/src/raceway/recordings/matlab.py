@@ -45,8 +45,8 @@ def read(path: Path) -> Contents:
             return _paderborn(path, value)
     names = ", ".join([*data][:SHOWN]) or "nothing"
     raise RunError(
-        f"{path} has {names}: known are X..._DE_time (CWRU), bearing.gs (MFPT), and a structure"
-        " of X and Y (Paderborn); write others as csv"
+        f"{path} has {names}: only X..._DE_time (CWRU), bearing.gs (MFPT) and a structure of X and"
+        " Y (Paderborn) can be read; convert other files to csv"
     )
 
 

@@ -83,7 +83,7 @@ def angle(bearing: Bearing, name: str, order: float, uncertainty: float = 0.0) -
     """
     cosines = [_cosine(bearing, name, order + k * uncertainty) for k in (0.0, -2.0, 2.0)]
     if not 0 <= cosines[0] < 2:
-        raise ValueError(f"{name} = {order:g} orders belongs to no contact angle of this bearing")
+        raise ValueError(f"{name} = {order:g} orders matches no contact angle of this bearing")
     found = [math.acos(min(max(one, 0.0), 1.0)) for one in cosines]
     nominal = kinematics.frequencies(bearing)
     cage = float(nominal.cage)

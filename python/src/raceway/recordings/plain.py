@@ -42,7 +42,7 @@ def read_csv(path: Path) -> Contents:
         rate = _rate(path, table[names[0]].to_numpy())
         names = names[1:]
     if not names:
-        raise RunError(f"{path} has a column of times and no signal")
+        raise RunError(f"{path} has a column of times but no signal")
     found = {name: channel(path, name, table[name], rate, **_unit(name)) for name in names}
     return Contents("csv", found)
 
@@ -109,7 +109,7 @@ def _rate(path, time):
     except ValueError:
         raise RunError(f"{path}: its times are not numbers") from None
     if len(step) < 2 or not step.mean() > 0 or np.ptp(step) > EVEN * len(step) * step.mean():
-        raise RunError(f"{path}: its times do not rise in even steps")
+        raise RunError(f"{path}: its times do not increase in equal steps")
     return 1 / step.mean()
 
 

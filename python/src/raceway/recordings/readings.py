@@ -135,7 +135,7 @@ def _complete(of: Readings) -> None:
             )
         if one.quantity == "temperature" and not state & {"temperature", "conductance"}:
             raise ValueError(
-                f"reading {k + 1}: a temperature needs a conductance, known or unknown"
+                f"reading {k + 1}: a temperature needs a conductance under known or unknown"
             )
 
 
@@ -179,8 +179,8 @@ def _from_file(given, values, where, bearing, folder) -> list[Reading]:
     wanted = [given["line"]] if "line" in given else list(found)
     if missing := [name for name in wanted if name not in found]:
         raise ValueError(
-            f"{where}: {recording.where} shows no line {missing[0]};"
-            f" it shows {', '.join(found) or 'none'}"
+            f"{where}: {recording.where} has no line {missing[0]};"
+            f" it has {', '.join(found) or 'none'}"
         )
     point = Point(**values | {"rpm": recording.rpm})
     return [Reading(name, found[name].value, found[name].uncertainty, point) for name in wanted]
@@ -188,7 +188,7 @@ def _from_file(given, values, where, bearing, folder) -> list[Reading]:
 
 def _mapping(value: Any, where: str) -> Mapping[str, Any]:
     if not isinstance(value, dict):
-        raise ValueError(f"{where} must be a map of names and values")
+        raise ValueError(f"{where} must be a mapping of names to values")
     return value
 
 

@@ -86,8 +86,8 @@ class Recording:
         self.nominal_rpm = found.rpm if given is None else given
         if not self.nominal_rpm > 0:
             raise RunError(
-                f"{path} does not state the speed of the shaft: give --rpm R, the true speed, or"
-                " --nominal R, near which it is searched for"
+                f"{path} does not state the speed of the shaft: give the true speed with --rpm R,"
+                " or with --nominal R a speed near which it is searched for"
             )
 
     @cached_property

@@ -52,7 +52,7 @@ def track(of: Readings, rows: Sequence[Row], drift: Mapping[str, float]) -> Trac
         raise ValueError(f"drift: {strange[0]} is not an unknown")
     times = np.array([row.time for row in rows])
     if not len(rows) or not (np.diff(times) > 0).all():
-        raise ValueError("the rows of a series must have rising times")
+        raise ValueError("the times of the rows of a series must increase")
     names, model = list(of.unknown), Model(of)
     mean, covariance = np.full(len(names), 0.5), np.eye(len(names)) * UNIFORM**2
     found = []
