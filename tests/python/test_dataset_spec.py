@@ -93,7 +93,7 @@ def test_examples_can_be_used(capsys):
 @pytest.mark.parametrize(
     "data, says",
     [
-        ("- 1", "the file must hold names with values"),
+        ("- 1", "the file must contain names with values"),
         ("a: [", "cannot read"),
         ({**GOOD, "speed": 1}, "'speed' is unknown"),
         ({k: v for k, v in GOOD.items() if k != "flaws"}, "needs 'flaws'"),
