@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Quantities that follow from formulas and the bearing's data alone."""
+"""Quantities that follow only from formulas and the data of the bearing."""
 
 import numpy as np
 
@@ -12,11 +12,11 @@ from raceway.units import prefixed
 
 CAGE_BALL = 4.19e-3  # m, R_z (table 1)
 STEEL = 7800.0  # kg/m3
-WIDTH = 18e-3  # m, of a 6208 (ISO 15)
+WIDTH = 18e-3  # m, width of a 6208 (ISO 15)
 
 
 def measure(book: Book, printed: bool) -> dict[str, Quantity]:
-    """See `quantities`."""
+    """Return {name: `Quantity`}; see `quantities`."""
     b, oil = book.bearing, book.oils["mineral"]
     q = theory.largest_load(b, 5000.0)
     result = {}
@@ -52,7 +52,7 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
         ),
         "h_c_over_h_min": Quantity(contact.h_c / contact.h_min, "", "$h_c/h_{min}$"),
         "sphere_stiffness": Quantity(
-            1 / (1 - b.poisson) if printed else 1.0, "", "ball on cage ball over Hertz of spheres"
+            1 / (1 - b.poisson) if printed else 1.0, "", "stiffness of ball on cage ball over Hertz"
         ),
     }
     return result if printed else result | _same(book, q)
@@ -90,7 +90,7 @@ def _same(book, q):
             "film damping there, 0.41 m/s",
         ),
         "lambda_of_ball_roughness": Quantity(
-            film.ratio(1.0, 1.0, 0.2) - 1, "%", "change of $Λ_f$ by a ball one fifth as rough"
+            film.ratio(1.0, 1.0, 0.2) - 1, "%", "change of $Λ_f$ due to a ball one fifth as rough"
         ),
         "vacuum": Quantity(capacitance.VACUUM, "F/m", "ε₀"),
         "density": Quantity(capacitance.density_ratio(2.571e9), "", "ρ/ρ₀ at 2.571 GPa"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Loads, pressures and load parameters of the runs."""
+"""Quantities related to loads, pressures and load parameters in the runs."""
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from raceway.theory.bearing import INNER, OUTER
 
 
 def measure(book: Book, printed: bool) -> dict[str, Quantity]:
-    """See `quantities`."""
+    """Return {name: `Quantity`}; see `quantities`."""
     form = "_printed" if printed else ""
     run = book.readings.one("pressure" + form)
     result = {
@@ -77,12 +77,12 @@ def _same(book, run):
         "explicit_load": Quantity(
             abs(explicit.figures["q_max_N"] / run.figures["q_max_N"] - 1),
             "%",
-            "largest load, Verlet against implicit",
+            "largest load, Verlet compared with implicit",
         ),
         "explicit_capacitance": Quantity(
             abs(explicit.figures["capacitance_F"] / run.figures["capacitance_F"] - 1),
             "%",
-            "capacitance, Verlet against implicit",
+            "capacitance, Verlet compared with implicit",
         ),
         "p_outer_unloaded": Quantity(
             np.interp(180.0, *run.around(OUTER, "pressure")),
@@ -105,12 +105,12 @@ def _same(book, run):
         "epsilon_stiff_20": Quantity(
             clearance.load_parameter(-25.2e-6, distribution.shift(b, 5000.0, -25.2e-6)),
             "",
-            "ε of Stribeck-Harris",
+            "ε from Stribeck-Harris",
         ),
         "epsilon_loose_20": Quantity(
             clearance.load_parameter(25.2e-6, distribution.shift(b, 5000.0, 25.2e-6)),
             "",
-            "ε of Stribeck-Harris",
+            "ε from Stribeck-Harris",
         ),
     }
     for ratio, _, simulated, formula, _ in distribution_curves(book):
