@@ -121,7 +121,7 @@ def test_clearance_classes():
 def test_nothing_fits(capsys):
     assert main(["catalogue", "--bore", "41"]) == 1
     printed = capsys.readouterr()
-    assert printed.out == "" and "no bearing fits" in printed.err
+    assert printed.out == "" and "no bearing matches" in printed.err
     with pytest.raises(SystemExit) as stop:
         main(["catalogue", "--bore", "0"])
     assert stop.value.code == 2

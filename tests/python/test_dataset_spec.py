@@ -132,4 +132,4 @@ def test_commands_without_a_folder(capsys):
     with pytest.raises(SystemExit):
         main(["dataset", str(ROOT / "inputs/datasets/small.yaml"), "--deck",
               str(ROOT / "inputs/in.6208")])  # fmt: skip
-    assert "--out: give a folder" in capsys.readouterr().err
+    assert "give a folder for the data set with --out" in capsys.readouterr().err

@@ -191,7 +191,7 @@ def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
     assert "give a FILE of readings, or --lines CSV" in capsys.readouterr().err
     with pytest.raises(SystemExit, match="2"):
         main(["identify", "readings.yaml", "--load", "5"])
-    assert "--load is for --lines" in capsys.readouterr().err
+    assert "--load applies to --lines" in capsys.readouterr().err
 
 
 def test_loads_that_no_state_carries_are_left_out(tmp_path):

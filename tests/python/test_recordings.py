@@ -199,9 +199,9 @@ def test_no_speed_from_what_is_no_shaft(bearing):
     "name, write, words, says",
     [
         ("a.csv", None, {}, "there is no file"),
-        ("a.dat", lambda path: path.write_text("1"), {}, r"ends in \.mat"),
+        ("a.dat", lambda path: path.write_text("1"), {}, r"must end in \.mat"),
         ("a.mat", lambda path: path.write_text("nothing"), {}, "is not a MATLAB file"),
-        ("a.mat", lambda path: io.savemat(path, {"A": 1}), {}, "has A: known are"),
+        ("a.mat", lambda path: io.savemat(path, {"A": 1}), {}, "has A: only X"),
         ("a.csv", lambda path: path.write_text(""), {}, "cannot read"),
         ("a.npz", lambda path: path.write_text("nothing"), {}, "cannot read"),
         ("a.wav", lambda path: path.write_text("nothing"), {}, "cannot read"),

@@ -153,7 +153,7 @@ def test_strong_ones():
 @pytest.mark.parametrize(
     "words, says",
     [
-        (dict(period_s=1e-4), "reach 5e-05 s must be 16 samples"),
+        (dict(period_s=1e-4), "reach 5e-05 s must be from 16 samples"),
         (dict(reach_s=6e-3), "to half a period"),
         (dict(period_s=1.0, reach_s=1e-3), "must cover a period of 1 s"),
         (dict(share=1.0), "share is 1"),

@@ -106,4 +106,4 @@ def test_command(run_up, tmp_path, capsys):
         out.unlink()
     with pytest.raises(SystemExit):
         main([*words, "--json"])
-    assert "--json applies to kind lines" in capsys.readouterr().err
+    assert "--json applies to --kind lines" in capsys.readouterr().err
