@@ -150,7 +150,7 @@ def test_file_to_edit(capsys, tmp_path, name):
     assert inputs.bearing(path) == inputs.bearing(known)
     assert ("JTEKT (Koyo) catalogue" if name == "7205B" else "Farah") in path.read_text()
     assert main(["catalogue", name, "--file", str(path)]) == 1
-    assert "exists already" in capsys.readouterr().err
+    assert "already exists" in capsys.readouterr().err
     assert main(["catalogue", "--file", str(tmp_path / "other")]) == 1
     assert main(["catalogue", "7205", "--file", str(tmp_path / "other")]) == 1
     assert "there is no bearing '7205'" in capsys.readouterr().err

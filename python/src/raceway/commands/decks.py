@@ -44,7 +44,7 @@ def run(arguments: argparse.Namespace) -> None:
     for name in arguments.names:
         written = decks.copy(name, arguments.to)
         more = f" and {len(written) - 1} files in inputs" if len(written) > 1 else ""
-        print(f"{written[0]}{more}" if written else f"{name}: exists already")
+        print(f"{written[0]}{more}" if written else f"{name}: already exists")
     if arguments.names:
         return
     for kind, found in (("Decks", decks.decks()), ("Lubricants", decks.lubricants())):

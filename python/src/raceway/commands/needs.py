@@ -120,7 +120,7 @@ def _wanted(texts, wet):
         match = re.fullmatch(r"(\w+)=([0-9.eE-]+)(%?)", text)
         if not match or match[1] not in FIGURES:
             raise RacewayError(
-                f"--want {text}: must be FIGURE=ERROR, for instance torque=10%; figures are"
+                f"--want {text}: must be FIGURE=ERROR, for instance torque=10%; FIGURE is one of"
                 f" {', '.join(FIGURES)}"
             )
         try:

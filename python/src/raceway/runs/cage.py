@@ -195,7 +195,7 @@ def cage_ranges(
             found[key] = (
                 min(slip, low) + off,
                 max(slip, high) + off,
-                f"{text} held in the middle or shifted by its play",
+                f"{text} centred or shifted by its play",
             )
     if estimated and (force := figures.get("pocket_force_max_N")):
         found["pocket_force_max_N"] = (*(force * math.sqrt(share) for share in shares), why)
@@ -278,7 +278,7 @@ def pockets_around(tables: "RunTables", bins: int = 72) -> "xr.Dataset":
             at: (
                 at,
                 middle,
-                {"units": "rad", "long_name": "azimuth from the centre of the loaded zone"},
+                {"units": "rad", "long_name": "azimuth from the centre of the load zone"},
             )
         },
     )

@@ -30,7 +30,7 @@ def over_time(run: Run, background: float = 0.0) -> xr.Dataset:
     )
     for name, what in (
         ("contact", "of one contact"),
-        ("one_ball", "of one ball, inner and outer in series"),
+        ("one_ball", "of one ball, with its contacts in series"),
         ("bearing", "of the bearing"),
     ):
         data[name].attrs = {"units": "F", "long_name": f"capacitance {what}"}

@@ -17,19 +17,19 @@ SIDES = whole_capacitance.SIDES
 MEANING = {
     "plates": ("F", "capacitance of the contact ellipses (eq 12)"),
     "around": ("F", "capacitance around the ellipses of the loaded balls"),
-    "unloaded": ("F", "capacitance of the balls without load"),
+    "unloaded": ("F", "capacitance of the unloaded balls"),
     "bearing": ("F", "capacitance of the bearing"),
     "hertz_area": ("m2", "area of all contact ellipses"),
-    "threshold": ("V", "smallest voltage at which a film fails, field over the separation"),
-    "threshold_peaks": ("V", "threshold for the field over the separation less three sigma"),
+    "threshold": ("V", "smallest voltage at which a film fails, with the field over the gap"),
+    "threshold_peaks": ("V", "threshold with the field over the gap minus three sigma"),
     "weakest": ("1", "number of the ball whose smooth film fails first"),
     "energy": ("J", "energy stored at the threshold of smooth films"),
-    "field": ("V/m", "largest field in a film, over the separation"),
-    "field_peaks": ("V/m", "largest field in a film, over the separation less three sigma"),
+    "field": ("V/m", "largest field in a film, over the gap"),
+    "field_peaks": ("V/m", "largest field in a film, over the gap minus three sigma"),
     "leak": ("ohm", "resistance of the films to direct current"),
     "impedance": ("ohm", "modulus of the impedance"),
     "phase": ("rad", "phase of the impedance"),
-    "bearing_voltage_ratio": ("1", "bearing voltage over common-mode voltage, two such bearings"),
+    "bearing_voltage_ratio": ("1", "bearing voltage over common-mode voltage, for two bearings"),
 }
 
 

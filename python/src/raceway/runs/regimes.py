@@ -29,7 +29,7 @@ def shares(run: Run, bins: int = BINS, boundary: float = 1.0, full: float = 3.0)
     result = around(run, quantities | {"lambda": lambda table: table["lambda"]}, bins)
     share = xr.concat([result[name] for name in REGIMES], xr.Variable("regime", list(REGIMES)))
     result = result.drop_vars(REGIMES).assign(share=share)
-    result["share"].attrs.update(units="1", long_name="share of the contacts in a regime")
+    result["share"].attrs.update(units="1", long_name="fraction of the contacts in a regime")
     return result
 
 

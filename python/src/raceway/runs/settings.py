@@ -69,8 +69,10 @@ def settings(record: Record) -> Settings:
 
 
 def deck_words(settings: Mapping[str, Any]) -> dict[str, str]:
-    """Return {name: value} of the main deck's variables as recorded by the run; empty for other
-    decks."""
+    """Return {name: value} for the main deck's variables as recorded by the run.
+
+    The dict is empty for other decks.
+    """
     recorded = str(settings.get("deck_variables", ""))
     return dict(word.split("=", 1) for word in recorded.split(",") if "=" in word)
 

@@ -390,7 +390,7 @@ def table(figures: Mapping[str, Any]) -> str:
     if assumed := figures.get("assumed_data"):
         text += variable_table.block(assumed)
     if ranges:
-        text += ["", "Ranges of the model, as far as they are known"]
+        text += ["", "Known ranges of the model"]
         text += [f"  {one}" for one in reasons(figures)]
     return "\n".join(text + warning_lines(figures["warnings"]))
 

@@ -40,13 +40,13 @@ RECORDED = {  # columns of a record that contains the total capacitance
 ANGLES = ("azimuth", "from_load_line")
 MEANING = {
     "load": ("N", "contact load"),
-    "separation": ("m", "central film thickness, or play of a ball without load"),
+    "separation": ("m", "central film thickness, or play of an unloaded ball"),
     "area": ("m2", "area of the contact ellipse"),
     "plates": ("F", "capacitance of the contact ellipse"),
     "outside": ("F", "capacitance of the gap around the contact ellipse"),
-    "paths": ("m", "resistivity of the oil over the resistance of the gap"),
+    "paths": ("m", "ratio of the oil's resistivity to the resistance of the gap"),
     "total": ("F", "total capacitance of the gap"),
-    "one_ball": ("F", "capacitance of one ball, inner and outer in series"),
+    "one_ball": ("F", "capacitance of one ball, with its contacts in series"),
     "bearing": ("F", "capacitance of the bearing"),
     "play": ("m", "gap between ball and raceway, negative where they overlap"),
 }
@@ -72,7 +72,7 @@ def filling_of(run: Run) -> Filling:
         elif word in ("permittivity_at", "roughness"):
             given[word] = after[0]
     if given.get("kind", "flooded") not in FILLS:
-        raise RunError(f"{run.tables.folder}: surroundings {given['kind']} are not known")
+        raise RunError(f"{run.tables.folder}: surroundings {given['kind']} are unknown")
     return FLOODED._replace(**given)
 
 
