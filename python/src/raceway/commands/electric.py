@@ -227,24 +227,24 @@ def _check(arguments):
     if not all(point.get("load") or point.get("axial") for point in options.points(arguments)):
         complain("a load is needed: give --load or --axial")
     if (arguments.c_wr is None) != (arguments.c_rf is None):
-        complain("--c-wr and --c-rf: give both")
+        complain("--c-wr and --c-rf must be given together")
     if (arguments.kind is None) != (arguments.out is None):
-        complain("--kind and --out: give both")
+        complain("--kind and --out must be given together")
     several = _several(arguments)
     if arguments.kind == "parts" and len(several) != 1:
-        complain("--kind parts: give several values of one quantity, --rpm 100 1000 for example")
+        complain("--kind parts needs several values of one quantity, for example --rpm 100 1000")
     if arguments.kind in ("field", "bode", "reading") and several:
-        complain(f"--kind {arguments.kind}: applies to one operating point")
+        complain(f"--kind {arguments.kind} applies to a single operating point")
     if arguments.kind == "field" and arguments.voltage is None:
         complain("--kind field: give --voltage")
     if arguments.kind == "bode" and math.isinf(arguments.resistivity):
         complain("--kind bode: give --resistivity")
     if arguments.measured_impedance:
         if arguments.measured is not None or arguments.frequency is None:
-            complain("--measured-impedance: needs --frequency, and no --measured")
+            complain("--measured-impedance needs --frequency and excludes --measured")
         size, phase = arguments.measured_impedance
         if phase == 0:
-            complain(f"--measured-impedance {size:g} 0: a capacitance has a phase below 0")
+            complain(f"--measured-impedance {size:g} 0: the phase of a capacitance is negative")
 
 
 def _several(arguments):

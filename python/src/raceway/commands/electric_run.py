@@ -50,11 +50,11 @@ def _check(arguments):
     for name in STATIC:
         if getattr(arguments, name) != arguments.unset(name):
             option = f"--{name.replace('_', '-')}"
-            complain(f"{option}: is part of the run; leave out this option or DIR")
+            complain(f"{option} is part of the run; leave out this option or DIR")
     if (arguments.c_wr is None) != (arguments.c_rf is None):
-        complain("--c-wr and --c-rf: give both")
+        complain("--c-wr and --c-rf must be given together")
     if (arguments.kind is None) != (arguments.out is None):
-        complain("--kind and --out: give both")
+        complain("--kind and --out must be given together")
     if arguments.kind == "reading":
         complain("--kind reading applies to an operating point, not to a run")
     if arguments.kind == "field" and arguments.voltage is None:
@@ -67,7 +67,7 @@ def _number(arguments):
     try:
         return int(arguments.bearing)
     except ValueError:
-        arguments.complain(f"--bearing {arguments.bearing}: for a run it must be a number")
+        arguments.complain(f"--bearing is {arguments.bearing}, must be a number for a run")
 
 
 def _filling(arguments, of):
@@ -94,7 +94,7 @@ def _table(data, path):
 
 
 def _picture(arguments, of, whole, data, fields):
-    from raceway.pictures import electric_run  # matplotlib takes long to load
+    from raceway.pictures import electric_run  # loading matplotlib takes longer than the rest
 
     if arguments.kind == "parts":
         electric_run.parts(of, data, arguments.out)

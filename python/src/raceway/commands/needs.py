@@ -82,7 +82,7 @@ def run(arguments: argparse.Namespace) -> None:
     given = dict(arguments.var)
     for name, value in given.items():
         if name in OURS or name in scene_parts.REFERENCE or name == "without":
-            raise RacewayError(f"-var {name}: set by raceway needs, leave it out")
+            raise RacewayError(f"-var {name} is set by raceway needs; leave it out")
         if not WORD.fullmatch(value):
             raise RacewayError(f"-var {name} is '{value}', must be one word or number")
     if missing := sorted(set(scene_parts.REFERENCE) - set(known)):

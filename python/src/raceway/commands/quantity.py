@@ -28,7 +28,7 @@ def number(low: float, high: float, unit: str) -> Callable[[str], float]:
 def positive(text: str) -> int:
     """Convert `text` to a positive whole number; for use as an argparse type."""
     if not re.fullmatch(r"[1-9][0-9]*", text):
-        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 1")
+        raise argparse.ArgumentTypeError(f"'{text}' is not a positive whole number")
     return int(text)
 
 

@@ -183,11 +183,11 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.lubricant not in (None, "dry") and not speeds:
         arguments.complain("--lubricant: a film needs a speed; give --rpm")
     if arguments.spin_law != "closed" and arguments.models == models.PAPER:
-        arguments.complain("--spin-law: applies to the friction torque only; give --models full")
+        arguments.complain("--spin-law applies only to the friction torque; give --models full")
     dry = arguments.lubricant in (None, "dry")
     if arguments.cage == "ring" and (dry or arguments.models == models.PAPER):
         arguments.complain(
-            "--cage: applies to the friction torque of oil; give --lubricant and --models full"
+            "--cage applies to the friction torque of oil; give --lubricant and --models full"
         )
     if arguments.temperature is not None and dry:
         arguments.complain("--temperature applies to the lubricant; give --lubricant")

@@ -94,11 +94,13 @@ def run(arguments: argparse.Namespace) -> None:
     if ending is not None and ending not in FORMATS:
         arguments.complain(f"--out {arguments.out}: the name must end in {', '.join(FORMATS)}")
     if ending == ".toml" and len(arguments.load) > 1:
-        arguments.complain(f"--out {arguments.out}: ROSS takes one load, not {len(arguments.load)}")
+        arguments.complain(
+            f"--out {arguments.out}: ROSS accepts only one load, not {len(arguments.load)}"
+        )
     if any(a >= b for a, b in zip(arguments.rpm, arguments.rpm[1:])):
-        arguments.complain("--rpm: give rising speeds")
+        arguments.complain("--rpm: speeds must be in ascending order")
     if arguments.node < 0:
-        arguments.complain(f"--node {arguments.node}: must be 0 or more")
+        arguments.complain(f"--node is {arguments.node}, must be at least 0")
     if arguments.temperature is not None and arguments.lubricant is None:
         arguments.complain("--temperature applies to the lubricant; give --lubricant")
     if arguments.lubricant is not None and not all(arguments.rpm):

@@ -99,7 +99,7 @@ def card(spec: Spec, table: pd.DataFrame, wanted: int) -> str:
             if name.startswith("housing_")
         ),
         noise=(
-            f"White noise of {spec.noise:g} m/s^2 (standard deviation) was added, from the seed."
+            f"White noise of {spec.noise:g} m/s^2 (standard deviation) was added, using the seed."
             if spec.noise
             else "No noise was added."
         ),

@@ -46,7 +46,7 @@ def make(
     """
     folder, wanted = Path(folder), records(spec)
     if "parquet" in spec.files and importlib.util.find_spec("pyarrow") is None:
-        raise SpecError("record: files are parquet, which needs: pip install 'raceway[parquet]'")
+        raise SpecError("record: parquet files require pip install 'raceway[parquet]'")
     _claim(spec, folder)
     by_name = {one.point.name: one for one in wanted}
     missing = []

@@ -19,7 +19,7 @@ def oils(book: Book) -> pd.DataFrame:
         low, high = zip(*sensitivity.ranges(book)[name].values())
         rows += [
             (OILS[name], "as used", *oil),
-            (OILS[name], "low end of the plausible", *low),
+            (OILS[name], "low end of the plausible range", *low),
             (OILS[name], "high end", *high),
         ]
     return pd.DataFrame(rows, columns=["oil", "values", *sensitivity.COLUMN.values()])

@@ -176,7 +176,7 @@ def _begin(turn, entry, blow):
     after = int(2 * blow - entry)
     least = max(JUMP * jump[first : last + 1].max(), FAINTEST * jump[first : after + 1].max())
     sudden = np.flatnonzero(jump[last : blow + 1] > least)
-    return (last + sudden[0] if len(sudden) else blow) + 0.5  # between this value and the next
+    return (last + sudden[0] if len(sudden) else blow) + 0.5  # between two values
 
 
 def _entry(values, start, end, ringing):

@@ -92,7 +92,7 @@ class Record:
         A growing record may have more.
         """
         if (CHECKSUM in self.variables) != self.checked:
-            raise RunError(f"{self.path} is damaged: its header has lost its checksum")
+            raise RunError(f"{self.path} is damaged: the checksum of its header is missing")
         bytes_, samples = self.path.stat().st_size, len(self)
         wanted = self._begin + samples * self._row.itemsize
         finished = bool(np.any(self._fixed["finished"]))

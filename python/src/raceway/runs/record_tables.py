@@ -110,7 +110,7 @@ def rings(record: Record, start: int, stop: int) -> pd.DataFrame:
     record.need_one()
     inner = int(np.flatnonzero(record.fixed("ring_raceway") == 0)[0])
     for axis in "xyz":
-        record.variables[f"ring_{axis}"]  # raises if the ring is missing
+        record.variables[f"ring_{axis}"]  # raises an error if the ring is missing
     names = record.timed("ring_")
     data = record.read(["step", "time", *names], start, stop)
     table = pd.DataFrame({"step": data["step"], "time": data["time"]})
@@ -127,7 +127,7 @@ def totals(record: Record, start: int, stop: int) -> pd.DataFrame:
     by the number of the sample."""
     record.need_one()
     for name in ("contacts", "loaded_balls", "pressure_inner", "pressure_outer", "cage_speed"):
-        record.variables[f"bearing_{name}"]  # raises if it is missing
+        record.variables[f"bearing_{name}"]  # raises an error if it is missing
     data = record.read(record.timed("bearing_"), start, stop)
     table = pd.DataFrame(
         {name.removeprefix("bearing_"): values[:, 0] for name, values in data.items()}

@@ -154,13 +154,13 @@ class Recorded:
             raise RunError(f"{self.record.path} has no {dimension.replace('_', ' ')}s")
         places = [f"ring_{kind}{axis}" for kind in ("", "origin_") for axis in "xy"]
         for name in [*(prefix + one for one in MOTION), *places]:
-            self.record.variables[name]  # raises if it is missing
+            self.record.variables[name]  # raises an error if it is missing
         data = self._file[[prefix + name for name in MOTION]]
         data = data.rename({prefix + name: name for name in MOTION})
         if dimension != "ball":
             data = data.rename({dimension: "ball"})
         data = self._labelled(data)
-        # the outer ring of each ball's bearing
+        # index of the outer ring that belongs to each ball
         outer = np.flatnonzero(self.record.fixed("ring_raceway") == 1)
         owners = self.record.fixed("ring_bearing")[outer]
         own = outer[np.searchsorted(owners, self.record.fixed(f"{dimension}_bearing"))]

@@ -66,7 +66,7 @@ def fitted(
         raise ValueError(f"{samples} samples are too few for {columns} motions")
     size = np.sqrt((known**2).mean(0))
     if not size.all():
-        raise ValueError(f"motion {int(np.argmin(size))} of {columns} does not move")
+        raise ValueError(f"motion {int(np.argmin(size))} of {columns} is constant")
     left, singular, right = np.linalg.svd(known / size, full_matrices=False)
     if singular[-1] < APART * singular[0]:
         raise ValueError("the motions are not independent: excite each at its own frequency")

@@ -93,7 +93,7 @@ class Turning:
         """
         count = stop - start
         if count < 2:
-            raise RunError(f"{self.record.path}: speeds need two samples, not {count}")
+            raise RunError(f"{self.record.path}: speeds need at least two samples, not {count}")
         time = (count - 1) * self.record.attrs["sample_s"]
         cage = self.cage(start, stop)
         return Motion(

@@ -87,4 +87,4 @@ def on_ranks(program: list[str], ranks: int) -> list[str]:
     for launcher in (*beside, *LAUNCHERS):
         if found := shutil.which(launcher):
             return [found, "-np", str(ranks), *program]
-    raise RacewayError(f"{ranks} ranks need one of {', '.join(LAUNCHERS)}: install an MPI")
+    raise RacewayError(f"{ranks} ranks need one of {', '.join(LAUNCHERS)}; install an MPI")

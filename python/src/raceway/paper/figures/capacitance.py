@@ -123,7 +123,7 @@ def _by_speed(book, oil):
 
 
 def by_film(book: Book) -> tuple[Figure, pd.DataFrame]:
-    """Fig 11: capacitance of the bearing over permittivity against film thickness."""
+    """Fig 11: capacitance of the bearing divided by permittivity, against film thickness."""
     figure, (axes,) = panel.page(
         "Capacitance over permittivity against film thickness",
         "6208, 5 kN, no clearance: mean of the bearing; film of the inner raceway at ψ = 0",

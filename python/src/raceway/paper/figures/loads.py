@@ -47,7 +47,7 @@ def distribution_curves(book: Book) -> list[tuple[float, float, Floats, Floats, 
 
 
 def distribution_page(book: Book) -> tuple[Figure, pd.DataFrame]:
-    """Fig A.2: load of a ball over the radial load around the ring."""
+    """Fig A.2: ratio of ball load to radial load around the ring."""
     figure, (axes,) = panel.page(
         "Load of a ball around the ring", "6208, dry, 5 kN, 1 rad/s, inner raceway"
     )

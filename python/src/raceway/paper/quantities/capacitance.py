@@ -38,9 +38,9 @@ def of_runs(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[str, Quantit
         "top_1": Quantity(by_load[1000], "F", "one ball at ψ = 0, 1 kN"),
         "top_5": Quantity(by_load[5000], "F", "5 kN"),
         "top_7": Quantity(by_load[7000], "F", "7 kN"),
-        "load_step": Quantity(np.diff(tops).min(), "F", "smallest rise per kN"),
+        "load_step": Quantity(np.diff(tops).min(), "F", "smallest increase per kN"),
         "load_power": Quantity(
-            np.polyfit(np.log(loads), np.log(tops), 1)[0], "", "power of the load"
+            np.polyfit(np.log(loads), np.log(tops), 1)[0], "", "exponent of the load"
         ),
         "ring_mean": Quantity(
             mean(runs.one("loads" + form, load=5000)),
@@ -68,10 +68,10 @@ def of_runs(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[str, Quantit
         "load_ratio": Quantity(
             min((curve[oil, 5000][1] / curve[oil, 1000][1]).min() for oil in book.oils),
             "",
-            "smallest ratio 5 kN over 1 kN",
+            "smallest ratio of 5 kN to 1 kN",
         ),
         "pao_least": Quantity(
-            min(one.min() for one in over), "", "smallest ratio PAO over mineral"
+            min(one.min() for one in over), "", "smallest ratio of PAO to mineral"
         ),
         "pao_most": Quantity(max(one.max() for one in over), "", "largest"),
     }
@@ -80,7 +80,7 @@ def of_runs(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[str, Quantit
         result[f"film_power_{load}"] = Quantity(
             np.polyfit(np.log(thick), np.log(value), 1)[0],
             "",
-            f"power of $h_{{min}}$ at {load // 1000} kN",
+            f"exponent of $h_{{min}}$ at {load // 1000} kN",
         )
     result["collapse"] = Quantity(
         _collapse(book, curve), "%", "largest difference between the oils at the same $h_{min}$"
@@ -176,7 +176,7 @@ def _same(book, curve):
             low, "", "over the plausible ranges of both oils at 5 kN, 0.41 m/s: from"
         ),
         "viscosity_power": Quantity(
-            sensitivity.power(book, "viscosity"), "", "power of the viscosity in C"
+            sensitivity.power(book, "viscosity"), "", "exponent of the viscosity in C"
         ),
         "permittivity_power": Quantity(
             sensitivity.power(book, "permittivity"), "", "of the permittivity"

@@ -37,7 +37,7 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
         if abs(ratio) in (0, 0.0035):
             balls, label = one.loaded_balls(), f"{ratio:g}".replace("-", "−")
             result[f"loaded_{key}"] = Quantity(
-                balls.mean(), "", f"balls loaded at {label}, mean of 9"
+                balls.mean(), "", f"loaded balls at {label}, mean (out of 9)"
             )
             result[f"loaded_least_{key}"] = Quantity(balls.min(), "", "least")
             result[f"loaded_most_{key}"] = Quantity(balls.max(), "", "most")
@@ -62,7 +62,9 @@ def _same(book, run):
             away, "%", "largest difference from static loads without a cage"
         ),
         "hertz_power": Quantity(
-            np.polyfit(np.log(overlap[some]), np.log(load[some]), 1)[0], "", "power of the overlap"
+            np.polyfit(np.log(overlap[some]), np.log(load[some]), 1)[0],
+            "",
+            "exponent of the overlap",
         ),
         "stribeck_top": Quantity(
             run.top(INNER, "load") * b.balls * distribution.radial_integral(0.5) / 5000.0,

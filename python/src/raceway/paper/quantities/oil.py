@@ -50,7 +50,7 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
         for whole, word in ((True, "bearing"), (False, "ball")):
             needed = passage.roughness(b, oils[name], 5000.0, PASSAGE, whole, printed)
             result[f"roughness_{word}_{name}"] = Quantity(
-                needed, "m", f"roughness for it, {SHORT[name]}"
+                needed, "m", f"corresponding roughness, {SHORT[name]}"
             )
         rough = sensitivity.ranges(book)[name]["roughness"][1]
         result[f"passage_rough_{name}"] = Quantity(

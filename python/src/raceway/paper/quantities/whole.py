@@ -85,7 +85,7 @@ def _oils(book):
         ),
         "pao_high": Quantity(high, "", "to"),
         "viscosity_power": Quantity(
-            sensitivity.power(book, "viscosity", ball), "", "power of the viscosity in C"
+            sensitivity.power(book, "viscosity", ball), "", "exponent of the viscosity in C"
         ),
         "permittivity_power": Quantity(
             sensitivity.power(book, "permittivity", ball), "", "of the permittivity"
@@ -116,7 +116,7 @@ def _passage(book):
         result[f"roughness_ball_{name}"] = Quantity(
             np.exp(brentq(missing, np.log(1e-8), np.log(1e-5), xtol=1e-6)),
             "m",
-            f"roughness for it, {SHORT[name]}",
+            f"corresponding roughness, {SHORT[name]}",
         )
     result["passage_oils"] = Quantity(
         result["passage_capacitance_pao48"].value / result["passage_capacitance_mineral"].value,
