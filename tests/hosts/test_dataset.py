@@ -97,7 +97,7 @@ def test_parquet_without_its_library(tmp_path, monkeypatch, capsys):
 def test_card(made):
     card = (made / "set/README.md").read_text()
     assert "# Two records" in card and "2 of 2 records of 0.01 s" in card
-    for heading in ("## What is physics", "## What is assumed", "## Noise floor"):
+    for heading in ("## What is simulated", "## What is assumed", "## Noise floor"):
         assert heading in card
     assert "Records without a flaw have an rms of" in card and "No noise was added" in card
     assert max(map(len, card.splitlines())) <= 100
@@ -138,7 +138,7 @@ def test_makes_again_what_is_gone(made):
 def test_another_set_is_refused(made, tmp_path, capsys):
     spec = SPEC.replace("load: 500", "load: 600")
     assert dataset(made, spec) == 1
-    assert "holds another data set" in capsys.readouterr().err
+    assert "contains another data set" in capsys.readouterr().err
     (tmp_path / "set").mkdir()
     (tmp_path / "set/mine.txt").write_text("mine")
     assert dataset(tmp_path) == 1

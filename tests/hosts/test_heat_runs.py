@@ -80,8 +80,8 @@ def test_failures(capsys, tmp_path):
     ("more", "message"),
     [
         (["--runs", "0"], "must be a whole number from 1 to 50"),
-        (["--out", "x"], "--out is for runs: give --runs"),
-        (["--passes", "2"], "--passes is for runs: give --runs"),
+        (["--out", "x"], "--out applies to runs: give --runs"),
+        (["--passes", "2"], "--passes applies to runs: give --runs"),
         (["--runs", "1", "--passes", "0"], "must lie from 1 to 1e+06 passes"),
     ],
 )

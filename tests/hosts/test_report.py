@@ -149,7 +149,7 @@ def test_page_of_a_sweep(sweep):
 
 def test_mistakes(tmp_path, capsys):
     assert main(["report", str(tmp_path)]) == 1
-    assert "holds no run (run.yaml) and no sweep" in capsys.readouterr().err
+    assert "contains neither a run (run.yaml) nor a sweep" in capsys.readouterr().err
 
 
 def test_record_without_contacts(tmp_path, capsys):

@@ -83,7 +83,7 @@ def test_errors_before_anything_runs(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for wrong, says in (
         ({"lode": 3}, "no variable 'lode'; did you mean load"),
-        ({"load": [1, 2]}, r"load is \[1, 2\], must be a number, a text, True or False"),
+        ({"load": [1, 2]}, r"load is \[1, 2\], must be a number, a string, True or False"),
         ({"bearing": "a$b"}, r"bearing is 'a\$b', must be a text without quotes"),
         ({"ranks": 0}, "ranks is 0, must be a whole number from 1"),
         ({"host": "gromacs"}, "host is 'gromacs', must be one of liggghts, lammps"),

@@ -122,7 +122,7 @@ def test_clearance_classes():
 def test_nothing_fits(capsys):
     assert main(["catalogue", "--bore", "41"]) == 1
     printed = capsys.readouterr()
-    assert printed.out == "" and "no bearing fits" in printed.err
+    assert printed.out == "" and "no bearing matches" in printed.err
     with pytest.raises(SystemExit) as stop:
         main(["catalogue", "--bore", "0"])
     assert stop.value.code == 2
@@ -152,7 +152,7 @@ def test_file_to_edit(capsys, tmp_path, name):
     assert inputs.bearing(path) == inputs.bearing(known)
     assert ("JTEKT (Koyo) catalogue" if name == "7205B" else "Farah") in path.read_text()
     assert main(["catalogue", name, "--file", str(path)]) == 1
-    assert "exists already" in capsys.readouterr().err
+    assert "already exists" in capsys.readouterr().err
     assert main(["catalogue", "--file", str(tmp_path / "other")]) == 1
     assert main(["catalogue", "7205", "--file", str(tmp_path / "other")]) == 1
     assert "there is no bearing '7205'" in capsys.readouterr().err

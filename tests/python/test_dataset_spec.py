@@ -94,7 +94,7 @@ def test_examples_can_be_used(capsys):
 @pytest.mark.parametrize(
     "data, says",
     [
-        ("- 1", "the file must hold names with values"),
+        ("- 1", "the file must contain names with values"),
         ("a: [", "cannot read"),
         ({**GOOD, "speed": 1}, "'speed' is unknown"),
         ({k: v for k, v in GOOD.items() if k != "flaws"}, "needs 'flaws'"),
@@ -133,4 +133,4 @@ def test_commands_without_a_folder(capsys):
     with pytest.raises(SystemExit):
         main(["dataset", str(ROOT / "inputs/datasets/small.yaml"), "--deck",
               str(ROOT / "inputs/in.6208")])  # fmt: skip
-    assert "--out: give a folder" in capsys.readouterr().err
+    assert "give a folder for the data set with --out" in capsys.readouterr().err

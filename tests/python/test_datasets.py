@@ -175,7 +175,7 @@ def test_nothing_recorded_yet(tmp_path, lubricated):
     folder = synthetic.write(tmp_path / "run", {**lubricated, "rings": []}, end=False)
     run = raceway.open(folder)
     assert "no sample yet" in repr(run)
-    with pytest.raises(RunError, match="holds no sample"):
+    with pytest.raises(RunError, match="has no samples"):
         _ = run.rings
 
 

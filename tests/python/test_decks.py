@@ -21,7 +21,7 @@ def test_a_deck_comes_with_all_that_it_reads(tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert catalogue.folder() == tmp_path / "inputs"
     assert main(["decks", "in.6208"]) == 0
-    assert "in.6208: exists already" in capsys.readouterr().out
+    assert "in.6208: already exists" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("name", ["6205", "7205B", "vg46"])

@@ -216,8 +216,8 @@ POINT = ["--load", "1000", "--rpm", "900"]
     [
         (["--load", "1000"], 2, "give --rpm"),
         (["--rpm", "900"], 2, "a load is needed"),
-        ([*POINT, "--c-wr", "1e-11"], 2, "--c-wr and --c-rf: give both"),
-        ([*POINT, "--kind", "bode"], 2, "--kind and --out: give both"),
+        ([*POINT, "--c-wr", "1e-11"], 2, "--c-wr and --c-rf must be given together"),
+        ([*POINT, "--kind", "bode"], 2, "--kind and --out must be given together"),
         ([*POINT, "--kind", "parts", "--out", "x.png"], 2, "several values of one quantity"),
         ([*POINT, "--kind", "field", "--out", "x.png"], 2, "give --voltage"),
         ([*POINT, "--kind", "bode", "--out", "x.png"], 2, "give --resistivity"),

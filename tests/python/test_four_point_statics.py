@@ -173,7 +173,7 @@ def test_command(capsys, monkeypatch):
         (["--preload", "5e-6"], "apply to two rows; give --double-row"),
         (
             ["--models", "paper", "--spin-law", "slices"],
-            "--spin-law: applies to the friction",
+            "--spin-law applies only to the friction",
         ),
     ],
 )

@@ -127,7 +127,7 @@ def test_the_page_of_points_with_other_variables(points):
     (points / "d" / "point.yaml").write_text("models: full\nwithout: gap+drag\n")
     text = page(points).write(points / "page.html").read_text()
     assert "nan" not in re.sub("<script.*", "", text, flags=re.DOTALL)
-    assert "models,without\nfull,gap+drag" in text and "Each of these tables" in text
+    assert "models,without\nfull,gap+drag" in text and "For each of these tables" in text
 
 
 def test_a_record_that_lost_a_variable(folder):

@@ -19,7 +19,7 @@ def test_the_figure_lies_inside(folder):
     for key, one in ranges.items():
         assert 0 < one["low"] < figures[key] < one["high"], key
     text = table(figures)
-    assert "Ranges of the model, as far as they are known" in text
+    assert "Known ranges of the model" in text
     for reason in reasons(figures):
         assert reason in text
     assert any(one.startswith("minimum film thickness, central film") for one in reasons(figures))

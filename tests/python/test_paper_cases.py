@@ -178,4 +178,4 @@ def test_command_refuses(tree, capsys, monkeypatch):
     assert "build/liggghts is missing: run `make build`" in capsys.readouterr().err
     monkeypatch.chdir("/")
     assert main(["paper"]) == 1
-    assert "run this in Raceway's source tree" in capsys.readouterr().err
+    assert "run this command in Raceway's source tree" in capsys.readouterr().err

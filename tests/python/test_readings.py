@@ -69,7 +69,7 @@ def test_an_angle_gives_its_line(name):
         found = orders.angle(body, name, order, 1e-5)
         assert math.degrees(found.value) == pytest.approx(degrees, abs=1e-6)
         assert found.low < found.value < found.high
-    with pytest.raises(ValueError, match="belongs to no contact angle"):
+    with pytest.raises(ValueError, match="matches no contact angle"):
         orders.angle(body, name, 8.0 if name != "BSF" else -8.0)
 
 
@@ -87,7 +87,7 @@ def test_a_line_of_a_recording(tmp_path):
     (one,) = readings.read(path).readings
     assert one.point.rpm == pytest.approx(60 * shaft, rel=3e-5)
     assert abs(one.value - order) < 3 * one.within < 1e-3
-    with pytest.raises(RacewayError, match="shows no line BPFI; it shows BPFO"):
+    with pytest.raises(RacewayError, match="has no line BPFI; it has BPFO"):
         readings.read(write(tmp_path, path.read_text().replace("line: BPFO", "line: BPFI")))
 
 
@@ -192,7 +192,7 @@ def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
     assert "give a FILE of readings, or --lines CSV" in capsys.readouterr().err
     with pytest.raises(SystemExit, match="2"):
         main(["identify", "readings.yaml", "--load", "5"])
-    assert "--load is for --lines" in capsys.readouterr().err
+    assert "--load applies to --lines" in capsys.readouterr().err
 
 
 def test_loads_that_no_state_carries_are_left_out(tmp_path):

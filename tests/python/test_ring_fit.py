@@ -60,7 +60,7 @@ def test_of_a_run():
 def test_what_cannot_be_fitted():
     with pytest.raises(ValueError, match="not independent"):
         ring_fit.fitted(PLACE[:, [0, 0]], SPEED[:, [0, 0]], FORCE[:, :2])
-    with pytest.raises(ValueError, match="motion 1 of 4 does not move"):
+    with pytest.raises(ValueError, match="motion 1 of 4 is constant"):
         ring_fit.fitted(PLACE[:, :2] * [1, 0], SPEED[:, :2], FORCE[:, :2])
     with pytest.raises(ValueError, match="10 samples are too few for 6 motions"):
         ring_fit.fitted(PLACE[:10], SPEED[:10], FORCE[:10])

@@ -261,7 +261,7 @@ def test_toml(monkeypatch, tmp_path, given, capsys):
 @pytest.mark.parametrize(
     "words, says",
     [
-        (["--reduced", "FILE"], "has no bearings: give their positions, --kept Z ..."),
+        (["--reduced", "FILE"], "has no bearings: give their positions with --kept Z ..."),
         (["--reduced", "FILE", "--kept", "0", "0.17"], "none is at 0.17 m"),
         (["--reduced", "FILE", "--kept", "0", "--modes", "40"], "40 modes: the shaft has 16"),
         (["--out", "FILE"], "--out draws a shaft at rest on its bearings"),

@@ -176,11 +176,11 @@ def test_command_prints(capsys):
     "words, says",
     [
         (["--out", "a.xls"], "must end in .csv, .json, .toml"),
-        (["--load", "1", "2", "--out", "a.toml"], "ROSS takes one load, not 2"),
-        (["--rpm", "2", "1"], "rising speeds"),
+        (["--load", "1", "2", "--out", "a.toml"], "ROSS accepts only one load, not 2"),
+        (["--rpm", "2", "1"], "speeds must be in ascending order"),
         (["--lubricant", "vg46"], "give --rpm above 0"),
         (["--rpm", "9", "--temperature", "70"], "give --lubricant"),
-        (["--node", "-1"], "must be 0 or more"),
+        (["--node", "-1"], "must be at least 0"),
     ],
 )
 def test_wrong_words(words, says, capsys):

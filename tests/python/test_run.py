@@ -38,7 +38,7 @@ def test_dry_needs_no_lubricant(tmp_path, dry, name):
         ("^step_s: .*", "step_s: -1", "step_s = -1 must be finite and not negative"),
         ("^wall_s: .*", "wall_s: inf", "wall_s = inf must be finite and not negative"),
         ("^wall_s: .*", "wall_s: 0", "wall_s = 0 must be positive"),
-        ("^simulated_s: .*", "simulated_s: 0", "record.nc is of another run than run.yaml"),
+        ("^simulated_s: .*", "simulated_s: 0", "belongs to a different run than run.yaml"),
         (r"\A[\s\S]*\Z", "a: " + 9000 * "[" + 9000 * "]", "cannot read .*run.yaml: "),
     ],
 )
@@ -93,7 +93,7 @@ def test_window_of_samples(folder, window):
 
 
 def test_window_outside_the_run(folder):
-    with pytest.raises(RunError, match="holds 49 samples, none from number 49 on"):
+    with pytest.raises(RunError, match="has 49 samples, none from number 49 on"):
         RunTables(folder, slice(49, None)).contacts
     for wrong in (slice(3, 3), slice(-1, 4), slice(0, 9, 2)):
         with pytest.raises(ValueError, match="must be slice"):
@@ -107,9 +107,9 @@ def test_geometry(folder):
 @pytest.mark.parametrize(
     "made, said",
     [
-        (None, "is not a folder: a run makes one"),
-        ("run.yaml", "has no record.nc: its run recorded nothing, or it was removed"),
-        ("contacts.dump", "has text dumps and no record.nc: raceway reads records; run the deck"),
+        (None, "is not a folder: a run with -var out NAME creates one"),
+        ("run.yaml", "has no record.nc: its run recorded nothing, or the file was removed"),
+        ("contacts.dump", "has text dumps but no record.nc: raceway reads records; run the deck"),
     ],
 )
 def test_no_record(tmp_path, made, said):

@@ -154,9 +154,9 @@ def test_strong_ones():
 @pytest.mark.parametrize(
     "words, says",
     [
-        (dict(period_s=1e-4), "reach 5e-05 s must be 16 samples"),
+        (dict(period_s=1e-4), "reach 5e-05 s must be from 16 samples"),
         (dict(reach_s=6e-3), "to half a period"),
-        (dict(period_s=1.0, reach_s=1e-3), "must last a period of 1 s"),
+        (dict(period_s=1.0, reach_s=1e-3), "must cover a period of 1 s"),
         (dict(share=1.0), "share is 1"),
     ],
 )
@@ -168,5 +168,5 @@ def test_mistakes_of_a_signal(words, says):
 def test_a_shaft_that_stands_still(tmp_path, lubricated):
     rings = [[*row[:8], 0.0, *row[9:]] for row in lubricated["rings"]]
     run = package.open(synthetic.write(tmp_path, dict(lubricated, rings=rings)))
-    with pytest.raises(RunError, match="a shaft that stands still has no ball passages"):
+    with pytest.raises(RunError, match="there are no ball passages, because the shaft is at rest"):
         passages.of_run(run, "outer", "vy", "inner")

@@ -237,7 +237,7 @@ def test_broken_data_file(capsys, tmp_path):
         (["--hold", "x=far"], "'far' is not a number"),
         (["--load", "10", "--lubricant", "mineral"], "a film needs a speed; give --rpm"),
         (["--load", "10", "--moment", "0", "0", "--tilt", "0", "0"], "--moment and --tilt"),
-        (["--load", "10", "--cage", "ring"], "--cage: applies to the friction torque of oil"),
+        (["--load", "10", "--cage", "ring"], "--cage applies to the friction torque of oil"),
         (["--load", "10", "--cage-play", "2e-4"], "--cage-play applies to a cage ring"),
     ],
 )

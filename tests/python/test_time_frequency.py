@@ -54,7 +54,7 @@ def test_even_angles(sign):
 
 
 def test_a_shaft_that_turns_back():
-    with pytest.raises(ValueError, match="must turn one way"):
+    with pytest.raises(ValueError, match="must rotate in one direction"):
         order_tracking.at_even_angles(np.zeros(5), [0, 1, 2, 1, 0])
 
 
@@ -107,4 +107,4 @@ def test_command(run_up, tmp_path, capsys):
         out.unlink()
     with pytest.raises(SystemExit):
         main([*words, "--json"])
-    assert "--json applies to kind lines" in capsys.readouterr().err
+    assert "--json applies to --kind lines" in capsys.readouterr().err

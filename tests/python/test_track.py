@@ -94,7 +94,7 @@ def test_times_must_rise(folder, capsys):
     path = folder[0] / "hours.csv"
     pd.read_csv(path).iloc[::-1].to_csv(path, index=False)
     assert main(["track", str(folder[0] / "hours.yaml")]) == 1
-    assert "must have rising times" in capsys.readouterr().err
+    assert "the times of the rows of a series must increase" in capsys.readouterr().err
 
 
 def test_a_linear_reading_is_kalmans():

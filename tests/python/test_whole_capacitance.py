@@ -44,7 +44,7 @@ def test_filling_of_a_run(text, filling):
 
 
 def test_unknown_surroundings():
-    with pytest.raises(RunError, match="a run: surroundings foam are not known"):
+    with pytest.raises(RunError, match="a run: surroundings foam are unknown"):
         given("surroundings foam")
 
 

@@ -13,7 +13,8 @@ from raceway.cli import main
 from raceway.errors import RunError
 
 WHICH = (
-    r"record.nc has 2 bearings: choose one with --bearing NUMBER, in Python run.select\(number\)"
+    r"record.nc has 2 bearings: select one with --bearing NUMBER or, in Python, with"
+    r" run.select\(number\)"
 )
 COMMANDS = [
     "summary",

@@ -15,7 +15,7 @@ from raceway.errors import RunError
 from raceway.runs.record import Record
 from recorded_runs import MAIN, small
 
-NO_CONTACTS = "record.nc holds no contacts: record them with -var record all"
+NO_CONTACTS = "record.nc has no contacts: record them with -var record all"
 
 
 @pytest.fixture(scope="module")
@@ -119,7 +119,7 @@ def test_a_record_cut_short(sums, kept, tmp_path, capsys):
     folder = copied(sums, tmp_path / "run", cut=kept)
     assert main(["summary", str(folder)]) == 1
     said = capsys.readouterr().err
-    assert f"cannot read {folder}/record.nc: it is cut short or damaged" in said
+    assert f"cannot read {folder}/record.nc: it is truncated or damaged" in said
     assert said.count("\n") == 1
 
 
@@ -133,8 +133,8 @@ def test_nothing_was_recorded(words, tmp_path, capsys):
     for command in (["summary"], ["plot", "--kind", "motion"], ["animate"], ["report"]):
         assert main([command[0], str(folder), *command[1:]]) == 1
         said = capsys.readouterr().err
-        assert "has no record.nc: its run recorded nothing, or it was removed" in said
-        assert "-var record all or fix bearing/record makes one" in said and "column" not in said
+        assert "has no record.nc: its run recorded nothing, or the file was removed" in said
+        assert "-var record all or fix bearing/record writes one" in said and "column" not in said
 
 
 def test_run_yaml_is_gone(sums, tmp_path, capsys):
@@ -149,8 +149,8 @@ def test_run_yaml_is_gone(sums, tmp_path, capsys):
 @pytest.mark.parametrize(
     "samples, said",
     [
-        (0, "holds no sample: its run has just begun"),
-        (1, "holds 1 sample: figures are means over"),
+        (0, "has no samples: its run has just begun"),
+        (1, "has 1 sample: results are means over"),
     ],
 )
 @pytest.mark.parametrize("deck", ["sums", "motion_alone"])

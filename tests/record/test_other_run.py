@@ -34,7 +34,7 @@ def test_of_the_main_deck(one, words, key, tmp_path, capsys):
     for command in ("summary", "plot", "report"):
         assert main([command, str(tmp_path)]) == 1
         said = capsys.readouterr().err
-        assert f"{tmp_path}/record.nc is of another run than run.yaml: {key} is" in said
+        assert f"{tmp_path}/record.nc belongs to a different run than run.yaml: {key} is" in said
         assert said.count("\n") == 1
 
 
@@ -45,7 +45,7 @@ def test_of_a_deck_that_notes_nothing(steps, tmp_path):
         (tmp_path / name).mkdir()
         succeed(small(tmp_path / name, deck=SMALL.replace("run 20000", f"run {count}")))
     shutil.copy(tmp_path / "a/run/record.nc", tmp_path / "b/run")
-    with pytest.raises(RunError, match="of another run than run.yaml: simulated_s is 0.02 "):
+    with pytest.raises(RunError, match="a different run than run.yaml: simulated_s is 0.02 "):
         raceway.open(tmp_path / "b/run")
 
 

@@ -90,7 +90,7 @@ def test_windows_and_blocks(main_run):
     for name in ("contacts", "balls", "cage"):
         samples = sum(block.sizes["time"] for block in whole.blocks(name))
         assert samples == whole.contacts.sizes["time"]
-    with pytest.raises(RunError, match="holds 81 samples, none from number 81 on"):
+    with pytest.raises(RunError, match="has 81 samples, none from number 81 on"):
         _ = raceway.open(main_run, samples=slice(81, None)).tables.contacts
 
 
@@ -163,11 +163,11 @@ def test_many(tmp_path, capsys):
     assert run.select(1).summary()["q_max_N"] != run.select(3).summary()["q_max_N"]
     with pytest.raises(RunError, match="has the bearings 1 to 4, not 5"):
         run.select(5)
-    with pytest.raises(RunError, match="has 4 bearings: choose one"):
+    with pytest.raises(RunError, match="has 4 bearings: select one"):
         run.summary()
     words = ["spectrum", str(tmp_path / "run"), "--signal", "y"]
     assert command(words) == 1
-    assert "has 4 bearings: choose one with --bearing NUMBER" in capsys.readouterr().err
+    assert "has 4 bearings: select one with --bearing NUMBER" in capsys.readouterr().err
     assert command([*words, "--bearing", "5"]) == 1
     assert "has the bearings 1 to 4, not 5" in capsys.readouterr().err
     assert command([*words, "--bearing", "3"]) == 1
@@ -179,7 +179,7 @@ def test_a_summary_has_the_figures(tmp_path):
     run = raceway.open(tmp_path / "run")
     figures = run.summary()
     assert figures["q_max_N"] == pytest.approx(2407, rel=1e-3)
-    with pytest.raises(RunError, match="holds no contacts"):
+    with pytest.raises(RunError, match="has no contacts"):
         _ = run.tables.contacts
     with pytest.raises(RunError, match="no balls"):
         _ = run.balls

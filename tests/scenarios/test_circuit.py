@@ -293,7 +293,7 @@ def test_a_group_of_two_bearings(tmp_path):
     end = run(deck, out=tmp_path, bearings=2, xhi=0.18)
     assert end.code == 0, end.text[-2000:]
     two = raceway.open(tmp_path / "rec")
-    with pytest.raises(RunError, match="has 2 bearings: choose one with --bearing NUMBER"):
+    with pytest.raises(RunError, match="has 2 bearings: select one with --bearing NUMBER"):
         circuit.run(two, Floating(3.0))
     for number in two.bearing_numbers:
         one = two.select(number)

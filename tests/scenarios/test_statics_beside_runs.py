@@ -106,7 +106,7 @@ def test_two_bearings_on_a_shaft(tmp_path):
 
 
 NONE = {
-    "the load turns": dict(unbalance=1e-4),
+    "the load rotates": dict(unbalance=1e-4),
     "raceways or balls have flaws": dict(flaw_inner="wave 8 1e-8 0"),
     "the run has its own data: ball_poisson=0.29": dict(ball_poisson=0.29),
     "statics has no equivalent of -var without drag": dict(models="full", without="drag"),

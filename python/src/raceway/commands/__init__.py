@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Subcommands of `raceway`, one module each: `add(commands)` adds its parser, `run(arguments)`
-does the work."""
+"""Subcommands of `raceway`. Each is a module whose `add(commands)` adds its parser and whose
+`run(arguments)` does the work."""
 
 import argparse
 
-# The commands in the order of `raceway --help`; each belongs to one group.
+# The commands by group, in the order in which `raceway --help` lists them.
 GROUPS = {
     "Runs": ("decks", "summary", "plot", "animate", "report", "spectrum", "export", "check"),
     "Theory, without a run": ("static", "heat", "stiffness", "shaft", "catalogue"),
@@ -14,5 +14,5 @@ GROUPS = {
     "The publication": ("paper",),
 }
 
-# type of the result of `ArgumentParser.add_subparsers`
+# type that `ArgumentParser.add_subparsers` returns
 Commands = argparse._SubParsersAction

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway shaft` for a ROSS rotor: bending and rigid-body properties."""
+"""Implementation of `raceway shaft` for a ROSS rotor: bending and rigid-body properties."""
 
 import argparse
 import json
@@ -16,7 +16,10 @@ from raceway.units import prefixed
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the figures and write the file `arguments.reduced`. Raises `RacewayError`."""
+    """Print the properties of the rotor and write the file `arguments.reduced`.
+
+    Raise `RacewayError` if the options or the file cannot be used.
+    """
     if arguments.out:
         raise RacewayError("--out draws a shaft at rest on its bearings, but a ROSS rotor has none")
     rotor, bearings = ross_file.read(arguments.file)
@@ -24,7 +27,7 @@ def run(arguments: argparse.Namespace) -> None:
         kept = arguments.kept or bearings
         if not kept:
             raise RacewayError(
-                f"{arguments.file} has no bearings: give their positions, --kept Z ..."
+                f"{arguments.file} has no bearings: give their positions with --kept Z ..."
             )
         try:
             found = rotor_matrices.bending(
@@ -42,13 +45,16 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def figures(rotor: rotor_matrices.Rotor, bearings: list[float]) -> dict[str, Any]:
-    """Figures by name, in SI units: nodes, omitted bearings, rigid-body properties, and the bending
-    frequencies of the free rotor in one plane without spin."""
+    """Return the properties of the rotor in SI units, keyed by name.
+
+    They are the positions of nodes and omitted bearings, the rigid-body properties, and the bending
+    frequencies of the free rotor in one plane without spin.
+    """
     import scipy.linalg
 
     plane = shaft_bending.planes(len(rotor.z))[0]
     mass, stiffness = (plane.T @ one @ plane for one in (rotor.whole.mass, rotor.whole.stiffness))
-    squares = scipy.linalg.eigh(stiffness, mass, eigvals_only=True)[2:]  # without rigid motions
+    squares = scipy.linalg.eigh(stiffness, mass, eigvals_only=True)[2:]  # without rigid-body modes
     return dict(
         nodes_m=rotor.z.tolist(),
         bearings_m=bearings,
@@ -58,7 +64,7 @@ def figures(rotor: rotor_matrices.Rotor, bearings: list[float]) -> dict[str, Any
 
 
 def table(result: dict[str, Any]) -> str:
-    """The result of `figures` as text."""
+    """Return the result of `figures` as text."""
     z = result["nodes_m"]
     left_out = ", ".join(prefixed(one, "m") for one in result["bearings_m"])
     first = ", ".join(prefixed(one, "Hz") for one in result["frequencies_Hz"][: shaft.SHOWN])

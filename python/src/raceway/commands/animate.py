@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway animate DIR`: the bearing in motion."""
+"""`raceway animate DIR`: animate the bearing of a run."""
 
 import argparse
 from pathlib import Path
@@ -8,27 +8,27 @@ from raceway.commands import Commands, one_run
 from raceway.commands.quantity import number
 
 DESCRIPTION = """\
-Animate a run: rings, balls and cage from the front, cut in the middle plane so that the torus
-grooves are visible; the most loaded ball in section; the loads around the ring. Balls are coloured
-by load. Motions of ring and balls, clearance and overlaps are too small to be seen, so they are
-enlarged by a factor, which the picture states. White dots rotate with their balls and with the
-inner ring."""
+Animates a run. The pictures show the rings, balls and cage from the front, cut in the middle plane
+so that the torus grooves are visible, the most heavily loaded ball in section, and the loads around
+the ring. Balls are coloured by load. The motions of ring and balls, the clearance and the overlaps
+are too small to be visible, so they are enlarged by a factor, which is shown in the picture. White
+dots rotate with the balls and with the inner ring."""
 EXAMPLES = """\
 examples:
   raceway animate build/run/6208                                 build/run/6208/animation.gif
   raceway animate build/run/6208 --colour film --passes 1 --frames 40 --out film.gif
   raceway animate build/run/6208 --exaggerate 50 --out bearing.mp4    MP4 needs the program ffmpeg
 
-Exit codes: 0 done, 1 the run is broken, lacks what is requested, or ffmpeg is missing,
+Exit codes: 0 done, 1 the run is broken or lacks the requested data, or ffmpeg is missing,
 2 wrong command line."""
 COLOURS = ("load", "pressure", "film", "capacitance")
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "animate",
-        help="a GIF or MP4 of the bearing in motion",
+        help="animate a run as a GIF or MP4",
         description=DESCRIPTION,
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -38,13 +38,13 @@ def add(commands: Commands) -> None:
         "--colour",
         choices=COLOURS,
         default="load",
-        help="quantity shown by the colour of the balls (default: %(default)s)",
+        help="quantity by which the balls are coloured (default: %(default)s)",
     )
     one.add_argument(
         "--passes",
         type=number(0.001, 1e6, "ball passes"),
         metavar="P",
-        help="ball passes to show (default: all recorded ones, at most 4)",
+        help="number of ball passes to show (default: all that were recorded, at most 4)",
     )
     one.add_argument(
         "--frames",
@@ -64,16 +64,18 @@ def add(commands: Commands) -> None:
         "--exaggerate",
         type=number(1, 1e6, ""),
         metavar="X",
-        help="factor applied to small motions (default: depends on their size)",
+        help="factor by which small motions are enlarged (default: chosen by their size)",
     )
     one.add_argument(
         "--width",
         type=_whole(200, 4000),
         default=800,
         metavar="PX",
-        help="approximate width (default: %(default)s)",
+        help="approximate width in pixels (default: %(default)s)",
     )
-    one.add_argument("--out", metavar="FILE", help="a .gif or .mp4 (default: DIR/animation.gif)")
+    one.add_argument(
+        "--out", metavar="FILE", help="a .gif or .mp4 file (default: DIR/animation.gif)"
+    )
     one.set_defaults(command=run)
 
 

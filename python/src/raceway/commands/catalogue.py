@@ -10,14 +10,15 @@ from pathlib import Path
 from raceway.commands import Commands
 from raceway.commands.quantity import number
 
-HELP = "list and search bearings: sizes, ratings, balls"
+HELP = "list and search bearings by size, rating and name"
 DESCRIPTION = """\
-Lists the bearings of inputs/bearings: its files and the rows of its tables. A name can be given to
---bearing, and to -var bearing of a deck. A WORD is searched for in names, titles and sources.
+Lists the bearings in inputs/bearings, i.e. its files and the rows of its tables. Their names can be
+passed to --bearing and, for a deck, to -var bearing. WORD is searched for in names, titles and
+sources.
 
-The marks give the sources of balls and ratings; "estimate" means that the balls were derived from
-the ratings by ISO 281 and ISO 76. --clearances adds the classes of ISO 5753 for each deep groove
-ball bearing."""
+The columns `balls` and `ratings` state where these data come from; "estimate" means that the balls
+were derived from the ratings with ISO 281 and ISO 76. --clearances adds the clearance classes of
+ISO 5753 for each deep groove ball bearing."""
 EXAMPLES = """\
 examples:
   raceway catalogue
@@ -50,7 +51,7 @@ COLUMNS = (
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "catalogue",
         help=HELP,
@@ -58,42 +59,47 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    one.add_argument("words", nargs="*", metavar="WORD", help="text that all rows shown contain")
-    one.add_argument("--series", metavar="TEXT", help="what the name starts with: 60, 62, 72")
+    one.add_argument(
+        "words", nargs="*", metavar="WORD", help="show only bearings that contain this text"
+    )
+    one.add_argument("--series", metavar="TEXT", help="start of the name: 60, 62, 72")
     for name in ("bore", "outside", "width"):
         one.add_argument(f"--{name}", type=number(0.1, 3000, "mm"), metavar="MM", help="mm")
     one.add_argument(
         "--contact-angle",
         type=number(0, 60, "degrees"),
         metavar="DEG",
-        help="nominal contact angle, degrees; 0: deep groove ball bearings",
+        help="nominal contact angle in degrees; 0 selects deep groove ball bearings",
     )
     for name, symbol in (("dynamic", "C"), ("static", "C0")):
         one.add_argument(
             f"--{name}-load-above",
             type=number(0, 1e8, "N"),
             metavar="N",
-            help=f"least {symbol}, newtons",
+            help=f"lower limit of {symbol} in newtons",
         )
-    one.add_argument("--clearances", action="store_true", help="add the classes C2 to C5")
+    one.add_argument("--clearances", action="store_true", help="add the clearance classes C2 to C5")
     one.add_argument(
         "--inputs",
         metavar="DIR",
-        help="the inputs folder (default: here or in a parent folder, else in the package)",
+        help="the inputs folder (default: search this folder and its parents, then the package)",
     )
     form = one.add_mutually_exclusive_group()
-    form.add_argument("--json", action="store_true", help="a JSON list, SI units")
+    form.add_argument("--json", action="store_true", help="print a JSON list in SI units")
     form.add_argument(
         "--file",
         metavar="PATH",
         help="write the data of the bearing WORD and their sources to a file",
     )
-    form.add_argument("--csv", action="store_true", help="comma-separated values, SI units")
+    form.add_argument("--csv", action="store_true", help="print comma-separated values in SI units")
     one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the bearings, or write one. Raises `RacewayError`."""
+    """Print the bearings, or write one of them to a file.
+
+    Raise `RacewayError` if no bearing matches or if a file cannot be used.
+    """
     from raceway import listing
     from raceway.inputs import InputError
 
@@ -115,7 +121,7 @@ def run(arguments: argparse.Namespace) -> None:
         **sizes,
     )
     if not found:
-        raise InputError("no bearing fits; `raceway catalogue` lists all")
+        raise InputError("no bearing matches; `raceway catalogue` lists all of them")
     rows = [one.figures() for one in found]
     if arguments.clearances:
         for row in rows:
@@ -134,17 +140,22 @@ def _write(arguments):
     from raceway import catalogue, files, inputs
 
     if len(arguments.words) != 1:
-        raise inputs.InputError("--file takes one name, as `raceway catalogue 7205B --file mine`")
+        raise inputs.InputError(
+            "--file needs exactly one name, as in `raceway catalogue 7205B --file mine`"
+        )
     path = Path(arguments.file)
     if path.exists():
-        raise inputs.InputError(f"{path} exists already; remove it or name another file")
+        raise inputs.InputError(f"{path} already exists; remove it or choose another file name")
     text = inputs.text(catalogue.find("bearings", arguments.words[0], arguments.inputs))
     files.folder(path.parent)
     files.text(path, text)
 
 
 def _clearances(row):
-    """{column: clearance in m} for the clearance classes; all bearings have the same columns."""
+    """Return {column: clearance in m} for the clearance classes.
+
+    All bearings have the same columns.
+    """
     from raceway import clearance_classes
 
     known = {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway check DIR`: the numerical error of a run's figures."""
+"""`raceway check DIR`: estimate the numerical error of the results of a run."""
 
 import argparse
 
@@ -8,10 +8,11 @@ from raceway.commands.program import command
 from raceway.commands.quantity import takes_negative
 
 DESCRIPTION = """\
-Repeats a run of the main deck with a tenth of the tolerance (velocity Verlet: half the step), with
-twice as many samples, and after 100 more ball passes of settling. The change of a figure is its
-error. The repeats are in DIR/check, the errors in DIR/check.json. `raceway summary DIR` then shows
-the sum of the errors beside each figure.
+Repeats a run of the main deck three times: with a tenth of the tolerance (velocity Verlet: half the
+time step), with twice as many samples, and with 100 additional ball passes of settling. The change
+of a result in each repeat is taken as its error. The repeats are written to DIR/check and the
+errors to DIR/check.json. `raceway summary DIR` then shows the sum of the errors next to each
+result.
 
 This is the numerical error, not the error of the model."""
 EXAMPLES = """\
@@ -23,23 +24,26 @@ Exit codes: 0 done, 1 the run cannot be repeated, 2 wrong command line."""
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "check",
-        help="the numerical error of a run's figures, found by finer repeats of the run",
+        help="estimate the numerical error of a run by repeating it with finer settings",
         description=DESCRIPTION,
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     options.run_folder(one)
-    options.variables(one, "data of the bearing or lubricant that were given to the run")
+    options.variables(one, "bearing or lubricant data that were given to the run")
     options.deck(one)
     takes_negative(one)
     one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Repeat the run and print its figures with their errors. Raises `RacewayError`."""
+    """Repeat the run and print its results with their errors.
+
+    Raise `RacewayError` if the run cannot be repeated.
+    """
     from raceway.runs.summary import summary, table
     from raceway.runs.tables import RunTables
     from raceway.sweeps.check import check

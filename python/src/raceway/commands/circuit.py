@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway circuit DIR`: bearing voltage, discharges and energy of a run in an outer circuit."""
+"""`raceway circuit DIR`: compute bearing voltage, discharges and energy in an outer circuit."""
 
 import argparse
 import json
@@ -9,15 +9,15 @@ from raceway.commands import Commands, one_run
 from raceway.commands.quantity import each, number, positive, takes_negative
 
 DESCRIPTION = """\
-The circuit of a bearing in a run: every ball floats between two films, and an outer circuit
-connects the rings. The outer circuit is one of
+Computes the electrical circuit of a bearing during a run: every ball is a floating conductor
+between two films, and an outer circuit connects the rings. Choose one outer circuit:
   --motor CWR CRF   capacitances from winding to rotor and from rotor to frame; needs a voltage
-  --source OHM      a resistance; needs a voltage
-  --floating V      the charge that this voltage puts on the inner ring
-The voltage is --constant, --sine, --common-mode or --table.
+  --source OHM      a voltage source with this series resistance; needs a voltage
+  --floating V      an isolated inner ring with the charge that this voltage puts on it
+The voltage is given by --constant, --sine, --common-mode or --table.
 
-With --strength, a film fails where its voltage exceeds that strength times its local thickness, h
-minus three times the roughness. Without --strength no film fails."""
+With --strength, a film fails where its voltage exceeds this strength times the local thickness (h
+minus three times the roughness). Without --strength no film fails."""
 EXAMPLES = """\
 examples:
   raceway circuit build/run/6208 --motor 50e-12 1e-9 --common-mode 560 2000 50 0.8 --strength 30e6
@@ -25,16 +25,16 @@ examples:
   raceway circuit build/run/6208 --source 1e6 --constant 20 --strength 30e6 --out discharges
 
 --out writes circuit.csv, events.csv and, if films can fail, discharges.png into a folder.
-Exit codes: 0 done, 1 the run is broken or lacks its films, 2 wrong command line."""
+Exit codes: 0 done, 1 the run is broken or has no film data, 2 wrong command line."""
 
 FARAD = number(0, 1, "F")
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "circuit",
-        help="bearing voltage, discharges and energy in an outer circuit",
+        help="compute bearing voltage, discharges and energy in an outer circuit",
         description=DESCRIPTION,
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -53,7 +53,8 @@ def add(commands: Commands) -> None:
         "--surfaces",
         choices=("rough", "smooth"),
         default="rough",
-        help="subtract three times the roughness from the local thickness, or not (default: rough)",
+        help="rough: the local thickness is h minus three times the roughness; smooth: it is h"
+        " (default: rough)",
     )
     one.add_argument(
         "--roughness",
@@ -66,35 +67,40 @@ def add(commands: Commands) -> None:
         type=number(1e-12, 1e-3, "m"),
         default=1e-9,
         metavar="M",
-        help="smallest local thickness (default 1e-9)",
+        help="lower limit of the local thickness (default: 1e-9)",
     )
     one.add_argument(
         "--arc",
         type=number(1e-6, 1e12, "ohm"),
         metavar="OHM",
-        help="resistance of a film while it fails: gives currents, durations, current density",
+        help="resistance of a failed film; adds discharge currents, durations and current density",
     )
     one.add_argument(
         "--resistivity",
         type=number(1e3, 1e18, "ohm m"),
         metavar="OHM_M",
-        help="resistivity of the lubricant (default: infinite, films do not leak)",
+        help="resistivity of the lubricant (default: infinite, i.e. films do not leak)",
     )
     one.add_argument(
         "--metal",
         type=number(1e-6, 1e12, "ohm"),
         metavar="OHM",
-        help="resistance of a film whose asperities carry load (default: they do not conduct)",
+        help="resistance of a film in which asperities carry load (default: asperities do not"
+        " conduct)",
     )
     one.add_argument(
         "--metal-share",
         type=number(0, 0.999, ""),
         default=0.0,
         metavar="S",
-        help="load share of asperities above which they conduct (default 0)",
+        help="fraction of the load on asperities above which they conduct (default: 0)",
     )
     one.add_argument(
-        "--stray", type=FARAD, default=0.0, metavar="F", help="added to every film (default 0)"
+        "--stray",
+        type=FARAD,
+        default=0.0,
+        metavar="F",
+        help="stray capacitance added to every film (default: 0)",
     )
     one.add_argument(
         "--points",
@@ -102,8 +108,8 @@ def add(commands: Commands) -> None:
         metavar="N",
         help="circuit steps per sample (default: 20 per period of the voltage)",
     )
-    one.add_argument("--json", action="store_true", help="one JSON object instead of a table")
-    one.add_argument("--out", metavar="DIR", help="folder for tables and picture")
+    one.add_argument("--json", action="store_true", help="print a JSON object instead of a table")
+    one.add_argument("--out", metavar="DIR", help="folder for the tables and the picture")
     one.set_defaults(command=run, complain=one.error)
 
 
@@ -123,14 +129,14 @@ def _outer(one):
         type=number(0, 100, ""),
         default=0.0,
         metavar="X",
-        help="capacitance of the other bearing as a multiple of the capacitance of this bearing",
+        help="capacitance of the other bearing as a multiple of that of this bearing",
     )
     one.add_argument(
         "--background",
         type=FARAD,
         default=0.0,
         metavar="F",
-        help="capacitance parallel to the bearing (default 0)",
+        help="capacitance in parallel with the bearing (default: 0)",
     )
 
 
@@ -152,13 +158,16 @@ def _voltage(one):
         action=each(VOLT, HERTZ, HERTZ, number(0, 1, "")),
         nargs=4,
         metavar=("V", "HZ", "HZ", "M"),
-        help="voltage of an inverter: link voltage, carrier, fundamental, modulation from 0 to 1",
+        help="common-mode voltage of an inverter: link voltage, carrier and fundamental frequency,"
+        " modulation index from 0 to 1",
     )
-    voltage.add_argument("--table", metavar="FILE", help="a text file with rows of seconds, volts")
+    voltage.add_argument(
+        "--table", metavar="FILE", help="text file with a time (s) and a voltage (V) in each row"
+    )
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the figures and write the requested files."""
+    """Print the results and write the requested files."""
     from raceway.electric import circuit, circuit_figures
     from raceway.electric.breakdown import Breakdown
     from raceway.electric.leak import Leak
@@ -223,7 +232,7 @@ def _outer_circuit(arguments):
 
 
 def _waveform(arguments):
-    """The waveform given on the command line; None if there is none."""
+    """Return the waveform given on the command line, or None if there is none."""
     from raceway.electric import waveforms
 
     if arguments.constant is not None:

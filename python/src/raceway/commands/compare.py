@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway compare DIR FILE`: a run compared with a recording of the real bearing."""
+"""`raceway compare DIR FILE`: compare a run with a recording of the real bearing."""
 
 import argparse
 import json
@@ -13,14 +13,15 @@ from raceway.units import prefixed
 if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
     from raceway.recordings.compare import Comparison
 
-HELP = "levels and lines of a run compared with a recording"
+HELP = "compare the levels and lines of a run with those of a recording"
 DESCRIPTION = """\
-Compares levels and the lines of the envelope spectrum between a run and a recording of the
-bearing it represents. Lines are in orders of the respective shaft. Levels are at the sampling rate
-of the recording; a run with a higher rate is low-pass filtered. Both envelopes use the same band.
+Compares the levels and the lines of the envelope spectrum of a run with those of a recording of the
+bearing that it represents. Lines are given in orders of the respective shaft speed. Levels are
+computed at the sampling rate of the recording; a run with a higher rate is low-pass filtered. Both
+envelopes use the same band.
 
-A level depends on the path from the bearing to the sensor, which the run does not model; the orders
-do not."""
+Levels depend on the path from the bearing to the sensor, which the run does not model; orders do
+not depend on it."""
 EXAMPLES = """\
 examples:
   raceway compare build/run/twin 130.mat --rate 12000
@@ -30,7 +31,7 @@ Exit codes: 0 done, 1 the run or the file cannot be used, 2 wrong command line."
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "compare",
         help=HELP,
@@ -40,20 +41,32 @@ def add(commands: Commands) -> None:
     )
     one_run.add(one)
     recorded.add(one, bearing=False)
-    one.add_argument("--signal", default="ay", metavar="NAME", help="column of the run (ay)")
     one.add_argument(
-        "--ring", choices=("inner", "outer"), default="outer", help="ring of that column (outer)"
+        "--signal", default="ay", metavar="NAME", help="column of the run (default: ay)"
     )
     one.add_argument(
-        "--harmonics", type=count, default=3, metavar="N", help="number per line (default 3)"
+        "--ring",
+        choices=("inner", "outer"),
+        default="outer",
+        help="ring that the column belongs to (default: outer)",
     )
-    one.add_argument("--out", metavar="PNG", help="draw both spectra")
-    one.add_argument("--json", action="store_true", help="one JSON object instead of tables")
+    one.add_argument(
+        "--harmonics",
+        type=count,
+        default=3,
+        metavar="N",
+        help="number of harmonics per line (default: 3)",
+    )
+    one.add_argument("--out", metavar="PNG", help="plot both spectra to this file")
+    one.add_argument("--json", action="store_true", help="print a JSON object instead of tables")
     one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print a run and a recording side by side; draw them on request. Raises `RacewayError`."""
+    """Print the results of a run and a recording side by side, and plot them on request.
+
+    Raise `RacewayError` if the run or the recording cannot be used.
+    """
     from raceway.recordings.compare import compare
     from raceway.recordings.recording import Recording
 
@@ -85,7 +98,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def figures(found: "Comparison") -> dict[str, Any]:
-    """Figures of run and recording for JSON; None for lines that were not found."""
+    """Return the results of run and recording for JSON; values that were not found are None."""
     sides = {
         name: {"title": side.title, "rate_Hz": side.rate, "shaft_Hz": side.shaft}
         | {"unit": side.units}
@@ -111,7 +124,7 @@ def _known(value):
 
 
 def text(found: "Comparison") -> str:
-    """Figures of run and recording as text."""
+    """Return the results of run and recording as text."""
     rows = [f"run        {found.run.title}", f"recording  {found.recording.title}", ""]
     rows.append(f"  {'':<16}{'run':>16}{'recording':>16}")
     for key in ("rms", "peak", "kurtosis"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway dataset`: vibration of many runs as labelled files."""
+"""`raceway dataset`: generate labelled vibration data from many runs."""
 
 import argparse
 
@@ -7,14 +7,16 @@ from raceway.commands import Commands, options
 from raceway.commands.program import command, end_on_signals
 
 DESCRIPTION = """\
-Runs every flaw in the file SPEC under all of its conditions, with integrator vibration and a
-housing. Each run becomes a record: .mat files with the housing's acceleration at the rates of
-SPEC, and a row of DIR/labels.csv. DIR/README.md states what is simulated and what is assumed.
+Runs every flaw in the file SPEC under all of its conditions, with the integrator `vibration` and a
+housing. Each run becomes a record, which consists of .mat files with the acceleration of the
+housing at the sampling rates given in SPEC, and of a row in DIR/labels.csv. DIR/README.md states
+what is simulated and what is assumed.
 
-After a stop the same command continues. A folder made from another SPEC is refused."""
+A data set that was interrupted is continued by the same command. A folder that was made from a
+different SPEC is rejected."""
 EXAMPLES = """\
 examples:
-  raceway dataset inputs/datasets/small.yaml --check            how many runs, how long
+  raceway dataset inputs/datasets/small.yaml --check            number and length of the runs
   raceway dataset inputs/datasets/small.yaml --out build/small
   raceway dataset inputs/datasets/spalls.yaml --out build/spalls --jobs 2
 
@@ -23,25 +25,28 @@ stopped."""
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "dataset",
-        help="labelled vibration data: a sweep over flaws and conditions as .mat files",
+        help="generate labelled vibration data (.mat files) for many flaws and conditions",
         description=DESCRIPTION,
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    one.add_argument("spec", metavar="SPEC", help="YAML file: flaws, conditions, rates")
-    one.add_argument("--out", metavar="DIR", help="folder of the data set")
+    one.add_argument("spec", metavar="SPEC", help="YAML file with flaws, conditions and rates")
+    one.add_argument("--out", metavar="DIR", help="folder for the data set")
     options.jobs(one)
     one.add_argument("--keep", action="store_true", help="keep the records of the runs (large)")
-    one.add_argument("--check", action="store_true", help="check SPEC, run nothing")
+    one.add_argument("--check", action="store_true", help="only check SPEC, without running it")
     options.deck(one)
     one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Make the data set, or only check its specification. Raises `RacewayError`."""
+    """Make the data set, or only check its specification.
+
+    Raise `RacewayError` if a run fails or if the specification cannot be used.
+    """
     from raceway.datasets.spec import read_spec, records
     from raceway.sweeps.points import deck_variables
 
@@ -52,7 +57,7 @@ def run(arguments: argparse.Namespace) -> None:
         print(f"{arguments.spec}: {len(wanted)} records, {seconds:g} s at {spec.run_rate} Hz")
         return
     if not arguments.out:
-        arguments.complain("--out: give a folder for the data set")
+        arguments.complain("give a folder for the data set with --out")
     runs = command(arguments)
     from raceway.datasets.make import LABELS, make  # scipy and pandas are slow to import
 

@@ -5,23 +5,23 @@ import argparse
 
 from raceway.commands import Commands
 
-HELP = "list the decks and data files that come with raceway; copy them"
+HELP = "list or copy the decks and data files that come with raceway"
 DESCRIPTION = """\
 Without NAME, lists the decks, bearings and lubricants of the package. With names, copies them into
-DIR: a deck with the folder `inputs` of data files next to it, so that a host started in DIR can run
-it; a bearing or lubricant as a file to edit."""
+DIR. A deck is copied together with the folder `inputs` of data files, so that a host started in DIR
+can run it. A bearing or lubricant is copied as a file that can be edited."""
 EXAMPLES = """\
 examples:
   raceway decks
   raceway decks in.6208                 then: lmp -in in.6208
   raceway decks in.axial vg46 --to trial
 
-Existing files with the same text are left alone.
-Exit codes: 0 done, 1 no such name, or a file exists with a different text, 2 wrong command line."""
+Existing files with the same content are left unchanged.
+Exit codes: 0 done, 1 no such name or a file exists with different content, 2 wrong command line."""
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     parser = commands.add_parser(
         "decks",
         help=HELP,
@@ -30,18 +30,21 @@ def add(commands: Commands) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("names", nargs="*", metavar="NAME", help="deck, bearing or lubricant")
-    parser.add_argument("--to", metavar="DIR", default=".", help="folder to copy to (here)")
+    parser.add_argument("--to", metavar="DIR", default=".", help="folder to copy to (default: .)")
     parser.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the list or copy files. Raises `RacewayError`."""
+    """Print the list or copy files.
+
+    Raise `RacewayError` if a name is unknown or if a different file is in the way.
+    """
     from raceway import decks
 
     for name in arguments.names:
         written = decks.copy(name, arguments.to)
         more = f" and {len(written) - 1} files in inputs" if len(written) > 1 else ""
-        print(f"{written[0]}{more}" if written else f"{name}: exists already")
+        print(f"{written[0]}{more}" if written else f"{name}: already exists")
     if arguments.names:
         return
     for kind, found in (("Decks", decks.decks()), ("Lubricants", decks.lubricants())):

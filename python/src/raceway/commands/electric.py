@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway electric`: total capacitance, breakdown and impedance of a bearing without a
-simulation."""
+"""`raceway electric`: compute the total capacitance, breakdown voltage and impedance of a bearing
+without a simulation."""
 
 import argparse
 import csv
@@ -14,24 +14,26 @@ from raceway.commands import Commands, electric_run, options
 from raceway.commands.quantity import each, number, takes_negative
 from raceway.theory.models import CAPACITANCE
 
-HELP = "total capacitance, breakdown and impedance from theory"
+HELP = "compute total capacitance, breakdown voltage and impedance from theory"
 DESCRIPTION = """\
-With DIR, the figures describe a run over time and come from its record; the options of an operating
-point do not apply. Otherwise they describe an operating point, without a simulation.
+With DIR, the results describe a run as a function of time and come from its record; the options for
+an operating point do not apply. Without DIR, they describe an operating point and need no
+simulation.
 
-The total capacitance of a bearing consists of the contact ellipses, the gap around them and the
+The total capacitance of a bearing is made up of the contact ellipses, the gap around them and the
 unloaded balls. The command also prints the smallest voltage at which a film fails, the impedance,
-and the bearing voltage ratio of a motor. Loads and films are computed as by `raceway static`;
-docs/electric derives the formulas.
+and the bearing voltage ratio of a motor. Loads and films are computed in the same way as in
+`raceway static`; docs/electric derives the formulas.
 
---load, --axial, --rpm, --clearance and --temperature take several values and print a line for each.
---measured calculates the film thickness from a measured capacitance.
+--load, --axial, --rpm, --clearance and --temperature accept several values; one line is printed for
+each combination. --measured calculates the film thickness from a measured capacitance.
 
 Pictures (--kind, with --out):
-  parts    capacitance by parts, over the quantity with several values; for a run over time
+  parts    parts of the capacitance against the quantity with several values, or against time for a
+           run
   field    field in the films around the ring, at --voltage
-  bode     impedance over frequency, with --resistivity
-  reading  film thickness that an instrument would read, and its error; not for a run"""
+  bode     impedance against frequency, with --resistivity
+  reading  film thickness that an instrument would read, and its error; not available for a run"""
 EXAMPLES = """\
 examples:
   raceway electric --load 3000 --rpm 1500
@@ -43,12 +45,12 @@ examples:
   raceway electric build/run/6208 --voltage 5 --kind field --out field.png
   raceway electric --load 1000 --rpm 3000 --csv reading.csv --kind reading --out reading.png
 
-Bearings and lubricants are the files of inputs/bearings and inputs/lubricants; a name with a slash
-is your own file in the same format.
+Bearings and lubricants are files in inputs/bearings and inputs/lubricants; a name with a slash is
+the path of your own file in the same format.
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 KINDS = ("parts", "field", "bode", "reading")
-PHASES = 12  # number of ball positions within a pitch, for the picture of the field
-KEYS = {  # {option: key of the figures of `electric_point`}
+PHASES = 12  # number of ball positions within a ball spacing, for the picture of the field
+KEYS = {  # {option: key of the results of `electric_point`}
     "load": "load_N",
     "axial": "axial_N",
     "rpm": "rpm",
@@ -58,7 +60,7 @@ KEYS = {  # {option: key of the figures of `electric_point`}
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "electric",
         help=HELP,
@@ -67,17 +69,19 @@ def add(commands: Commands) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     takes_negative(one)
-    one.add_argument("folder", nargs="?", metavar="DIR", help="folder that a run wrote")
+    one.add_argument("folder", nargs="?", metavar="DIR", help="folder written by a run")
     _operating_point(one)
     _surroundings(one)
     _electrics(one)
     out = one.add_argument_group("output")
-    out.add_argument("--kind", choices=KINDS, help="a picture; needs --out")
-    out.add_argument("--out", metavar="PNG", help="where to put the picture; needs --kind")
+    out.add_argument("--kind", choices=KINDS, help="kind of picture to draw; needs --out")
+    out.add_argument("--out", metavar="PNG", help="file for the picture; needs --kind")
     out.add_argument(
-        "--csv", metavar="FILE", help="table of the points, or of the curve of --kind reading"
+        "--csv",
+        metavar="FILE",
+        help="write a table of the points, or the curve of --kind reading",
     )
-    out.add_argument("--json", action="store_true", help="JSON instead of tables")
+    out.add_argument("--json", action="store_true", help="print JSON instead of tables")
     one.set_defaults(
         command=run, complain=one.error, unset=one.get_default, ask=_ask, filling=_filling
     )
@@ -88,7 +92,7 @@ def _operating_point(one):
     point.add_argument(
         "--bearing",
         metavar="NAME",
-        help="a file of inputs/bearings (6208); for a run, the number of the bearing",
+        help="a file in inputs/bearings (default: 6208); for a run, the number of the bearing",
     )
     options.lubricant(point)
     options.inputs(point)
@@ -96,7 +100,9 @@ def _operating_point(one):
         options.point(point, name, kind=number(1e-3, 1e5, "rpm") if name == "rpm" else None)
     options.grooves(point)
     options.models(
-        point, CAPACITANCE, "full: film in the gap, inlet shear; paper: as in the publication"
+        point,
+        CAPACITANCE,
+        "full: includes the film in the gap and inlet shear; paper: as in the publication",
     )
 
 
@@ -106,26 +112,27 @@ def _surroundings(one):
         "--surroundings",
         nargs="+",
         metavar=("KIND", "EPS_OUT"),
-        help="flooded, dry, or cavitated EPS_OUT, the outlet's relative permittivity (flooded; for"
-        " a run, as in the run)",
+        help="flooded, dry, or cavitated EPS_OUT, where EPS_OUT is the relative permittivity of the"
+        " outlet (default: flooded; for a run, as in the run)",
     )
     around.add_argument(
         "--shoulders",
         type=number(1e-4, 10, "m"),
         nargs=2,
         metavar=("D_INNER", "D_OUTER"),
-        help="diameters of the shoulders, metres (from the bearing's file)",
+        help="diameters of the shoulders in metres (default: from the bearing's file)",
     )
     around.add_argument(
         "--permittivity-at",
         choices=("maximum", "mean", "two_thirds"),
-        help="pressure for the film's permittivity: largest, mean over the ellipse, two thirds of"
-        " the largest",
+        help="pressure at which the permittivity of the film is evaluated: the maximum, the mean"
+        " over the ellipse, or two thirds of the maximum",
     )
     around.add_argument(
         "--roughness",
         choices=("none", "gamma"),
-        help="roughness in the films' capacitance: smooth, or a gamma-distributed film (none)",
+        help="roughness in the capacitance of the films: none for smooth surfaces, gamma for a"
+        " gamma-distributed film thickness (default: none)",
     )
 
 
@@ -136,23 +143,24 @@ def _electrics(one):
         type=number(1e5, 1e9, "V/m"),
         default=15e6,
         metavar="V/M",
-        help="field at which a film fails (15e6; smooth thin films 15e6 to 60e6, unchecked)",
+        help="field at which a film fails (default: 15e6; 15e6 to 60e6 for smooth thin films,"
+        " not verified)",
     )
     electric.add_argument(
         "--voltage",
         type=number(1e-6, 1e6, "V"),
         metavar="V",
-        help="voltage between the rings; adds the fields in the films",
+        help="voltage between the rings; adds the fields in the films to the results",
     )
     electric.add_argument(
-        "--frequency", type=number(1e-3, 1e10, "Hz"), metavar="HZ", help="adds the impedance"
+        "--frequency", type=number(1e-3, 1e10, "Hz"), metavar="HZ", help="add the impedance"
     )
     electric.add_argument(
         "--resistivity",
         type=number(1e3, 1e16, "ohm m"),
         default=math.inf,
         metavar="OHM_M",
-        help="resistivity of the lubricant, ohm metres (none: no leak)",
+        help="resistivity of the lubricant in ohm metres (default: infinite, i.e. no leakage)",
     )
     electric.add_argument(
         "--c-wr",
@@ -170,20 +178,23 @@ def _electrics(one):
         "--measured",
         type=number(1e-15, 1e-3, "F"),
         metavar="F",
-        help="measured capacitance of the bearing; gives the film thickness",
+        help="measured capacitance of the bearing, from which the film thickness is computed",
     )
     electric.add_argument(
         "--measured-impedance",
         action=each(number(1e-3, 1e15, "ohm"), number(-90, 0, "degrees")),
         nargs=2,
         metavar=("OHM", "DEG"),
-        help="measured modulus and phase of the impedance at --frequency, instead of --measured;"
-        " the phase is negative",
+        help="measured modulus and phase (negative) of the impedance at --frequency, instead of"
+        " --measured",
     )
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the figures, write picture and table. Raises `RacewayError`."""
+    """Print the results and write the picture and the table.
+
+    Raise `RacewayError` if there is no equilibrium or if the data cannot be used.
+    """
     if arguments.folder is not None:
         return electric_run.run(arguments)
     # loading scipy takes longer than printing --help
@@ -216,28 +227,28 @@ def _check(arguments):
     if not all(point.get("load") or point.get("axial") for point in options.points(arguments)):
         complain("a load is needed: give --load or --axial")
     if (arguments.c_wr is None) != (arguments.c_rf is None):
-        complain("--c-wr and --c-rf: give both")
+        complain("--c-wr and --c-rf must be given together")
     if (arguments.kind is None) != (arguments.out is None):
-        complain("--kind and --out: give both")
+        complain("--kind and --out must be given together")
     several = _several(arguments)
     if arguments.kind == "parts" and len(several) != 1:
-        complain("--kind parts: give several values of one quantity, --rpm 100 1000 for example")
+        complain("--kind parts needs several values of one quantity, for example --rpm 100 1000")
     if arguments.kind in ("field", "bode", "reading") and several:
-        complain(f"--kind {arguments.kind}: applies to one operating point")
+        complain(f"--kind {arguments.kind} applies to a single operating point")
     if arguments.kind == "field" and arguments.voltage is None:
         complain("--kind field: give --voltage")
     if arguments.kind == "bode" and math.isinf(arguments.resistivity):
         complain("--kind bode: give --resistivity")
     if arguments.measured_impedance:
         if arguments.measured is not None or arguments.frequency is None:
-            complain("--measured-impedance: needs --frequency, and no --measured")
+            complain("--measured-impedance needs --frequency and excludes --measured")
         size, phase = arguments.measured_impedance
         if phase == 0:
-            complain(f"--measured-impedance {size:g} 0: a capacitance has a phase below 0")
+            complain(f"--measured-impedance {size:g} 0: the phase of a capacitance is negative")
 
 
 def _several(arguments):
-    """Keys of the quantities that have several values."""
+    """Return the keys of the quantities that have several values."""
     return [key for name, key in KEYS.items() if len(getattr(arguments, name) or ()) > 1]
 
 

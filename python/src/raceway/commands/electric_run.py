@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway electric DIR`: the electrical figures of a run, from its record."""
+"""`raceway electric DIR`: compute the electrical quantities of a run from its record."""
 
 import argparse
 import json
@@ -8,15 +8,17 @@ import sys
 from contextlib import redirect_stdout
 from pathlib import Path
 
-STATIC = (  # options of an operating point
+STATIC = (  # options that apply only to an operating point
     "load", "axial", "rpm", "clearance", "temperature", "models", "lubricant", "inputs",
     "measured", "measured_impedance",
 )  # fmt: skip
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the figures of the run `arguments.folder`, write picture and table. Raises
-    `RacewayError`."""
+    """Print the results of the run `arguments.folder` and write the picture and the table.
+
+    Raise `RacewayError` if the run cannot be used.
+    """
     import raceway
     from raceway.runs import film_figures, film_table, whole_capacitance
 
@@ -48,11 +50,11 @@ def _check(arguments):
     for name in STATIC:
         if getattr(arguments, name) != arguments.unset(name):
             option = f"--{name.replace('_', '-')}"
-            complain(f"{option}: is part of the run; leave out this option or DIR")
+            complain(f"{option} is part of the run; leave out this option or DIR")
     if (arguments.c_wr is None) != (arguments.c_rf is None):
-        complain("--c-wr and --c-rf: give both")
+        complain("--c-wr and --c-rf must be given together")
     if (arguments.kind is None) != (arguments.out is None):
-        complain("--kind and --out: give both")
+        complain("--kind and --out must be given together")
     if arguments.kind == "reading":
         complain("--kind reading applies to an operating point, not to a run")
     if arguments.kind == "field" and arguments.voltage is None:
@@ -65,11 +67,12 @@ def _number(arguments):
     try:
         return int(arguments.bearing)
     except ValueError:
-        arguments.complain(f"--bearing {arguments.bearing}: for a run it must be a number")
+        arguments.complain(f"--bearing is {arguments.bearing}, must be a number for a run")
 
 
 def _filling(arguments, of):
-    """Filling of the run's gaps with the requested changes; None if no change is requested."""
+    """Return the filling of the gaps in the run with the requested changes, or None if there are
+    none."""
     from raceway.runs import whole_capacitance
 
     names = ("surroundings", "shoulders", "permittivity_at", "roughness")
@@ -91,7 +94,7 @@ def _table(data, path):
 
 
 def _picture(arguments, of, whole, data, fields):
-    from raceway.pictures import electric_run  # matplotlib takes long to load
+    from raceway.pictures import electric_run  # loading matplotlib takes longer than the rest
 
     if arguments.kind == "parts":
         electric_run.parts(of, data, arguments.out)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway export DIR --format vtk|xyz|spice`: a run for ParaView, OVITO or SPICE."""
+"""`raceway export DIR --format vtk|xyz|spice`: export a run to ParaView, OVITO or SPICE."""
 
 import argparse
 from pathlib import Path
@@ -9,30 +9,30 @@ from raceway.commands.quantity import number, positive
 from raceway.errors import RacewayError
 
 DESCRIPTION = """\
-Write a run as files for other programs:
+Writes a run as files for other programs:
   vtk   for ParaView: bearing.pvd, a time series of the balls (points with radius, velocity, spin,
         load, film, capacitance) and of the raceway tori (surfaces)
   xyz   for OVITO: bearing.xyz (extended XYZ, the same columns), inner_raceway.obj,
         outer_raceway.obj
   spice for SPICE: bearing.cir (subcircuits of capacitances that follow the run), bearing.pwl (a
         table of time, capacitance and leak resistance)
-Positions are real, without exaggeration; SI units."""
+Positions are not exaggerated. All values are in SI units."""
 EXAMPLES = """\
 examples:
   raceway export build/run/6208 --format vtk              build/run/6208/vtk/bearing.pvd
   raceway export build/run/6208 --format xyz --every 1 --out for_ovito
   raceway export build/run/6208 --format spice --resistivity 1e9
 
-In ParaView: open bearing.pvd, Apply; Glyph of type Sphere, Scale Array radius, Scale Factor 2,
-shows the balls.
+In ParaView, open bearing.pvd and click Apply. To show the balls, add a Glyph filter with type
+Sphere, Scale Array radius and Scale Factor 2.
 Exit codes: 0 done, 1 the run is broken or the folder cannot be written, 2 wrong command line."""
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "export",
-        help="files for ParaView, OVITO and SPICE",
+        help="write files for ParaView, OVITO and SPICE",
         description=DESCRIPTION,
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -48,13 +48,13 @@ def add(commands: Commands) -> None:
         "--every",
         type=positive,
         metavar="N",
-        help="every Nth sample (default: at most 200 in all; spice: every one)",
+        help="write every Nth sample (default: at most 200 samples in total; spice: all samples)",
     )
     one.add_argument(
         "--resistivity",
         type=number(1e3, 1e18, "ohm m"),
         metavar="OHM_M",
-        help="spice: resistivity of the lubricant (default: films do not leak)",
+        help="for spice: resistivity of the lubricant (default: films do not leak)",
     )
     one.add_argument("--out", metavar="DIR", help="folder to write into (default: DIR/FORMAT)")
     one.set_defaults(command=run, complain=one.error)

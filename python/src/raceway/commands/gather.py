@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway gather`: the results of a sweep so far as one table."""
+"""`raceway gather`: collect the results that a sweep has so far in one table."""
 
 import argparse
 
 from raceway.commands import Commands
 
-HELP = "results of a sweep as one CSV table"
+HELP = "collect the results of a sweep in one CSV table"
 EXAMPLES = """\
 examples:
   raceway gather build/sweep/points
@@ -15,13 +15,13 @@ Exit codes: 0 done, even if points are missing or failed, 1 DIR has no sweep,
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     parser = commands.add_parser(
         "gather",
         help=HELP,
         description=(
-            "Write DIR/results.csv: a row per point, with the variables that were set, "
-            "all figures of `raceway summary`, and the message of points that failed."
+            "Writes DIR/results.csv with one row per point, which contains the variables that "
+            "were set, all results of `raceway summary`, and the error message if the point failed."
         ),
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -31,8 +31,10 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Write the table; print its path and the number of points by status. Raises `RacewayError`
-    if there is no sweep."""
+    """Write the table, and print its path and the number of points for each status.
+
+    Raise `RacewayError` if there is no sweep.
+    """
     # loading pandas takes longer than printing --help
     from raceway.sweeps.gather import write_results
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway identify FILE`: clearance, loads, oil temperature and cooling from readings."""
+"""`raceway identify FILE`: find clearance, loads, oil temperature and cooling from readings."""
 
 import argparse
 import json
@@ -17,30 +17,32 @@ if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
     from raceway.recordings.identify import Found
     from raceway.recordings.readings import Readings
 
-HELP = "clearance, thrust, oil temperature, cooling from lines, capacitance, temperatures"
+HELP = "find clearance, thrust, oil temperature and cooling from measured values"
 DESCRIPTION = """\
-Finds the state of a real bearing from readings: lines in orders of the shaft (FTF, BPFO, BPFI,
-BSF), capacitance of the contacts in F, temperature in degrees C, or a recording in which lines are
-found. Each reading has its standard deviation, `within`, and its operating point. A least-squares
-fit of statics, films and friction determines the `unknown` quantities within their given ranges.
+Finds the state of a real bearing from readings. A reading is a line in orders of the shaft speed
+(FTF, BPFO, BPFI, BSF), a capacitance of the contacts in F, a temperature in degrees C, or a
+recording in which lines are found. Each reading has a standard deviation, `within`, and an
+operating point. A least-squares fit of statics, films and friction determines the `unknown`
+quantities within the given ranges.
 
-A table of lines (--lines) replaces FILE: the unknowns are then clearance and thrust, and also load
-and oil temperature unless they are given.
+A table of lines (--lines) can be given instead of FILE. The unknowns are then clearance and thrust,
+and also load and oil temperature unless they are given.
 
-A single line leaves a valley of clearance and thrust, which is printed. A capacitance, a second
-load (`load_more`, `axial_more`) or a temperature with a known cooling (`conductance`) separates
-them.
+A single line does not determine clearance and thrust separately; the valley of pairs that fit it is
+printed. A capacitance, a second load (`load_more`, `axial_more`) or a temperature with a known
+cooling (`conductance`) separates them.
 
-In the model, the film in the gap reduces the clearance by its thickness, and rolling on curved
-grooves speeds up the cage, by up to 1e-3 of a line (models full). If some balls are unloaded, the
-pocket play changes the cage's speed by an unknown amount, which widens the result."""
+In the model, the film in the gap reduces the clearance by the film thickness, and rolling on curved
+grooves speeds up the cage, which shifts a line by up to 1e-3 of its order (models full). If some
+balls are unloaded, the pocket play changes the cage speed by an unknown amount, which widens the
+confidence limits of the result."""
 EXAMPLES = """\
 examples:
   raceway identify --bearing 6205 --lines lines.csv --load 10
   raceway identify readings.yaml
   raceway identify readings.yaml --json
 
-A table of lines in hertz, one recording:
+A table of lines in hertz for one recording:
   speed_Hz,bpfo_Hz,ftf_Hz
   29.95,107.74,11.971
 
@@ -54,7 +56,7 @@ A file of readings:
     - {rpm: 1796, axial_more: 200, BPFO: 3.6086, within: 2e-4}
     - {file: 130.mat, rate: 12000, line: BPFO}
 
-Exit codes: 0 done, 1 no state explains the loads or the file is wrong, 2 wrong command line."""
+Exit codes: 0 done, 1 no state explains the loads or the file is invalid, 2 wrong command line."""
 NAMES = {
     "clearance": "diametral clearance",
     "load": "radial load",
@@ -63,11 +65,11 @@ NAMES = {
     "conductance": "cooling",
 }
 DECK = ("clearance", "load", "axial", "temperature")  # unknowns that are variables of the deck
-OUT = 3.0  # multiple of its uncertainty above which a deviation is not explained by the result
+OUT = 3.0  # deviations above this multiple of their uncertainty are not explained by the result
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "identify",
         help=HELP,
@@ -75,39 +77,42 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    one.add_argument("file", metavar="FILE", nargs="?", help="readings, YAML; or --lines")
+    one.add_argument("file", metavar="FILE", nargs="?", help="YAML file of readings; or --lines")
     one.add_argument(
         "--lines",
         metavar="CSV",
-        help="a row for each recording: speed_Hz, any of bpfo_Hz, bpfi_Hz, bsf_Hz, ftf_Hz, and"
-        " load_N, temperature_C if they are known",
+        help="table with one row per recording: speed_Hz, any of bpfo_Hz, bpfi_Hz, bsf_Hz and"
+        " ftf_Hz, and load_N and temperature_C if they are known",
     )
     lines = one.add_argument_group("with --lines")
     options.bearing(lines)
     options.lubricant(lines)
     options.models(lines, STATICS, "films and cage speed")
     lines.add_argument(
-        "--load", type=number(0, 1e6, "N"), metavar="N", help="radial load, newtons (unknown)"
+        "--load", type=number(0, 1e6, "N"), metavar="N", help="radial load in newtons (unknown)"
     )
     lines.add_argument(
         "--temperature",
         type=number(-40, 200, "C"),
         metavar="C",
-        help="oil temperature, degrees Celsius (unknown)",
+        help="oil temperature in degrees Celsius (default: unknown)",
     )
     lines.add_argument(
         "--within",
         type=number(1e-6, 0.1, ""),
         default=WITHIN,
         metavar="SHARE",
-        help="relative standard deviation of a line (%(default)s)",
+        help="relative standard deviation of a line (default: %(default)s)",
     )
-    one.add_argument("--json", action="store_true", help="one JSON object instead of text")
+    one.add_argument("--json", action="store_true", help="print a JSON object instead of text")
     one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the state that follows from the readings. Raises `RacewayError`."""
+    """Print the state that follows from the readings.
+
+    Raise `RacewayError` if the readings cannot be used or if no state explains the loads.
+    """
     from raceway.recordings import line_table, readings
     from raceway.recordings.identify import identify
 
@@ -116,7 +121,9 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.lines is None:
         for name in ("load", "temperature"):
             if getattr(arguments, name) is not None:
-                arguments.complain(f"--{name} is for --lines: a FILE lists it under `known`")
+                arguments.complain(
+                    f"--{name} applies to --lines; in a FILE it is listed under `known`"
+                )
         given = readings.read(arguments.file, arguments.inputs)
     else:
         given = line_table.read(
@@ -137,16 +144,18 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def figures(given: "Readings", found: "Found") -> dict[str, Any]:
-    """Result for JSON, in SI units with temperatures in degrees C. The values of the first keys are
-    [value, low, high] with 95 % limits, or None for quantities that are known or that the readings
-    do not determine."""
+    """Return the result for JSON, in SI units except for temperatures, which are in degrees C.
+
+    The values of the first keys are [value, low, high] with 95 % limits, or None for quantities
+    that are known or that the readings do not determine.
+    """
     from raceway.recordings.readings import STATE, UNITS
 
     def key(name):
         return f"{name}_{STATE[name][2].replace('/', '_')}"
 
     def named(values):
-        """`values` with keys that include the units."""
+        """Return `values` with keys that include the units."""
         return {key(name): one for name, one in values.items()}
 
     def three(one, unit=1.0):
@@ -182,7 +191,7 @@ def figures(given: "Readings", found: "Found") -> dict[str, Any]:
 
 
 def deck(given: "Readings", found: "Found") -> str:
-    """Deck settings for the twin of the first reading."""
+    """Return the deck variables that simulate the first reading (its twin)."""
     point, state = given.readings[0].point, dict(found.state)
     for name, own, more in (
         ("load", point.load, point.load_more),
@@ -198,7 +207,7 @@ def deck(given: "Readings", found: "Found") -> str:
 
 
 def text(given: "Readings", found: "Found") -> str:
-    """Result as text."""
+    """Return the result as text."""
     from raceway.recordings.readings import STATE
 
     rows = [f"{given.bearing.name}, {given.lubricant.name}, models {given.models}", ""]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway measured FILE`: speed, levels and lines of a recording of a real bearing."""
+"""`raceway measured FILE`: find speed, levels and lines in a recording of a real bearing."""
 
 import argparse
 import json
@@ -15,20 +15,21 @@ from raceway.units import prefixed
 if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
     from raceway.recordings.recording import Recording
 
-HELP = "speed, levels and kinematic lines of a recording of a real bearing"
+HELP = "find speed, levels and kinematic lines in a recording of a real bearing"
 DESCRIPTION = """\
-Reads a recording as `raceway spectrum` reads a run: channels with their levels, the speed of the
-shaft from its own lines, and the lines of the bearing in the spectrum of the envelope.
+Analyses a recording in the same way as `raceway spectrum` analyses a run. Prints the channels with
+their levels, the speed of the shaft, which is found from its own lines, and the lines of the
+bearing in the envelope spectrum.
 
-Files: .mat of Case Western Reserve University (X..._DE_time), of the MFPT society (bearing.gs), of
-Paderborn University (structure of X and Y) and of `raceway dataset`; .npz with one row for each
-name; .csv of PRONOSTIA (acc_00001.csv), or with columns, the first of which may be `time_s`; .wav.
-CWRU's .mat files do not state their rate: give --rate 12000 or 48000. Accelerations in g are shown
-in m/s^2.
+Supported files: .mat from Case Western Reserve University (X..._DE_time), the MFPT society
+(bearing.gs), Paderborn University (structure of X and Y) and `raceway dataset`; .npz with one row
+for each name; .csv from PRONOSTIA (acc_00001.csv), or with named columns, the first of which may be
+`time_s`; .wav. The .mat files from CWRU do not state their sampling rate: give --rate 12000 or
+48000. Accelerations in g are converted to m/s^2.
 
-The nominal speed often differs from the true one by more than the cage slip. The true speed is
-found within 1.5 % of it, from lines of the shaft that agree. --nominal gives the nominal speed for
-a file that does not state it; --rpm sets the true speed."""
+The nominal speed often differs from the true speed by more than the cage slip. The true speed is
+searched for within 1.5 % of the nominal speed, by means of shaft lines that agree with each other.
+--nominal gives the nominal speed for a file that does not state it; --rpm sets the true speed."""
 EXAMPLES = """\
 examples:
   raceway measured 105.mat --bearing 6205 --rate 12000
@@ -39,7 +40,7 @@ Exit codes: 0 done, 1 the file cannot be read or has too little data, 2 wrong co
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "measured",
         help=HELP,
@@ -49,36 +50,43 @@ def add(commands: Commands) -> None:
     )
     takes_negative(one)
     recorded.add(one)
-    one.add_argument("--raw", action="store_true", help="lines of the signal, not of its envelope")
+    one.add_argument("--raw", action="store_true", help="use the signal, not its envelope")
     one.add_argument(
-        "--harmonics", type=count, default=3, metavar="N", help="number per line (default 3)"
+        "--harmonics",
+        type=count,
+        default=3,
+        metavar="N",
+        help="number of harmonics per line (default: 3)",
     )
     one.add_argument(
         "--angle",
         type=number(0, 90, "degrees"),
         metavar="DEG",
-        help="contact angle of the kinematics (the bearing's nominal one, or 0)",
+        help="contact angle for the kinematics (default: nominal angle of the bearing, or 0)",
     )
     one.add_argument(
         "--within",
         type=number(1e-4, 0.05, "of the frequency"),
         default=0.01,
         metavar="SHARE",
-        help="relative width of the search around a line (default 0.01)",
+        help="relative width of the range searched around a line (default: 0.01)",
     )
     one.add_argument(
         "--kind",
         choices=("lines", "time"),
         default="lines",
-        help="kind of picture: lines (default), or over time and frequency",
+        help="kind of picture: the spectrum with its lines (default), or time and frequency",
     )
-    one.add_argument("--out", metavar="PNG", help="draw the picture")
-    one.add_argument("--json", action="store_true", help="one JSON object instead of tables")
+    one.add_argument("--out", metavar="PNG", help="draw the picture to this file")
+    one.add_argument("--json", action="store_true", help="print a JSON object instead of tables")
     one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the results of the recording and draw them on request. Raises `RacewayError`."""
+    """Print the results for the recording, and plot them on request.
+
+    Raise `RacewayError` if the file cannot be read or has too little data.
+    """
     from raceway.runs import envelope, spectrum
 
     if arguments.raw and arguments.band:
@@ -118,7 +126,7 @@ def _over_time(arguments, opened, found):
 
 
 def _figures(opened: "Recording") -> dict[str, Any]:
-    """File, speed and levels for JSON."""
+    """Return file, speed and levels for JSON."""
     from raceway.recordings.recording import level
     from raceway.runs.source import Signal
 

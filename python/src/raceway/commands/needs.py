@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway needs DECK`: which parts of the model and which numerical settings a scene needs."""
+"""`raceway needs DECK`: find the model parts and numerical settings that a scene needs."""
 
 import argparse
 import json
@@ -12,27 +12,28 @@ from raceway.commands.quantity import takes_negative
 from raceway.errors import RacewayError
 
 DESCRIPTION = """\
-Runs a scene with the full model and a fine integration. Then omits each part and coarsens each
-setting, one at a time, and shows the effect on the figures and on the cost. Finally searches for
-the cheapest set that meets the required accuracy, runs it, and prints its -var words.
+Runs a scene with the full model and fine numerical settings. Then omits each part and coarsens each
+setting, one at a time, and shows the effect on the results and on the cost. Finally searches for
+the cheapest set that meets the required accuracy, runs it, and prints its -var options.
 
-Runs are in folders named after their variables. A command that was stopped continues when it is
-repeated. The table is printed; DIR/needs.json and DIR/needs.png have the same data."""
+Each run is stored in a folder named after its variables. A command that was interrupted continues
+when it is repeated. The table is printed, and DIR/needs.json and DIR/needs.png contain the same
+data."""
 EXAMPLES = """\
 examples:
   raceway needs inputs/in.6208 -var load 2000 --want torque=10% capacitance=5% load=1%
   raceway needs inputs/in.6208 -var rpm 3000 --want film=2% --keep record samples
 
-Exit codes: 0 done, 1 the scene cannot be run or has no such figure, 2 wrong command line, 130 and
-143 stopped."""
+Exit codes: 0 done, 1 the scene cannot be run or lacks a requested result, 2 wrong command line, 130
+and 143 stopped."""
 WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "needs",
-        help="which parts of the model and which numerics a scene needs",
+        help="find the model parts and numerical settings that a scene needs",
         description=DESCRIPTION,
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -44,18 +45,21 @@ def add(commands: Commands) -> None:
         nargs="+",
         metavar="FIGURE=ERROR",
         default=None,
-        help="figures and their allowed errors, for instance torque=10%% (default: torque=10%%"
-        " capacitance=5%% load=1%%, as far as the scene has them)",
+        help="results and their allowed errors, for instance torque=10%% (default: torque=10%%"
+        " capacitance=5%% load=1%%, where the scene provides them)",
     )
     one.add_argument(
         "--keep",
         nargs="+",
         metavar="NAME",
         default=[],
-        help="parts and groups that stay as they are: drag, samples, record, ...",
+        help="parts and groups that are not changed: drag, samples, record, ...",
     )
     one.add_argument(
-        "--out", metavar="DIR", default="build/needs", help="folder (default: %(default)s)"
+        "--out",
+        metavar="DIR",
+        default="build/needs",
+        help="folder for the runs (default: %(default)s)",
     )
     options.jobs(one)
     options.program(one)
@@ -64,7 +68,10 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Run the sets, print the results and write the files. Raises `RacewayError`."""
+    """Run the sets, print the results and write the files.
+
+    Raise `RacewayError` if the options are invalid or if the scene cannot be run.
+    """
     from raceway.pictures.needs import picture
     from raceway.sweeps import scene_parts
     from raceway.sweeps.needs import needs
@@ -75,7 +82,7 @@ def run(arguments: argparse.Namespace) -> None:
     given = dict(arguments.var)
     for name, value in given.items():
         if name in OURS or name in scene_parts.REFERENCE or name == "without":
-            raise RacewayError(f"-var {name}: set by raceway needs, leave it out")
+            raise RacewayError(f"-var {name} is set by raceway needs; leave it out")
         if not WORD.fullmatch(value):
             raise RacewayError(f"-var {name} is '{value}', must be one word or number")
     if missing := sorted(set(scene_parts.REFERENCE) - set(known)):
@@ -113,7 +120,7 @@ def _wanted(texts, wet):
         match = re.fullmatch(r"(\w+)=([0-9.eE-]+)(%?)", text)
         if not match or match[1] not in FIGURES:
             raise RacewayError(
-                f"--want {text}: must be FIGURE=ERROR, for instance torque=10%; figures are"
+                f"--want {text}: must be FIGURE=ERROR, for instance torque=10%; FIGURE is one of"
                 f" {', '.join(FIGURES)}"
             )
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Options DIR and --bearing of the commands that read one run."""
+"""Options DIR and --bearing, shared by the commands that read one run."""
 
 import argparse
 from typing import TYPE_CHECKING, Any
@@ -13,27 +13,30 @@ if TYPE_CHECKING:  # pandas takes longer to load than `--help` should
 
 
 def add(to: Any) -> None:
-    """Add DIR and --bearing."""
+    """Add the options DIR and --bearing."""
     options.run_folder(to)
     add_number(to)
 
 
 def add_number(to: Any) -> None:
-    """Add --bearing, the number of one bearing."""
+    """Add the option --bearing, the number of a bearing in the folder."""
     to.add_argument(
-        "--bearing", type=positive, metavar="NUMBER", help="one of many bearings in the folder"
+        "--bearing",
+        type=positive,
+        metavar="NUMBER",
+        help="number of the bearing, if the folder contains several",
     )
 
 
 def tables(arguments: argparse.Namespace) -> "RunTables":
-    """Tables of the given run and bearing. Raises `RunError`."""
+    """Return the tables of the given run and bearing; raise `RunError` if they cannot be read."""
     from raceway.runs.tables import RunTables
 
     return RunTables(arguments.folder, bearing=arguments.bearing)
 
 
 def opened(arguments: argparse.Namespace) -> "Run":
-    """The given run and bearing, as `raceway.open` returns them. Raises `RunError`."""
+    """Return the given run and bearing as `raceway.open` does; raise `RunError` if this fails."""
     from raceway.runs.run import Run
 
     return Run(arguments.folder, bearing=arguments.bearing)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Options shared by several commands. They are added to a parser or to an option group; argparse
-has no public type for both."""
+"""Options shared by several commands.
+
+They can be added to a parser or to an option group. argparse has no public type that covers both.
+"""
 
 import argparse
 import itertools
@@ -14,29 +16,29 @@ from raceway.theory.cleanliness import CLEANLINESS
 from raceway.theory.models import DEFAULT
 
 POINT = {  # {quantity of an operating point: (type, unit in the help, help)}
-    "load": (number(0, 1e6, "N"), "N", "radial load, along x, newtons (0)"),
-    "axial": (number(-1e6, 1e6, "N"), "N", "axial load, along z, newtons (0)"),
+    "load": (number(0, 1e6, "N"), "N", "radial load along x, in newtons (default: 0)"),
+    "axial": (number(-1e6, 1e6, "N"), "N", "axial load along z, in newtons (default: 0)"),
     "rpm": (number(0, 1e5, "rpm"), "R", "speed of the inner ring"),
     "clearance": (
         number(-1e-3, 1e-3, "m"),
         "M",
-        "diametral clearance, metres; negative is preload (0)",
+        "diametral clearance in metres; a negative value is a preload (default: 0)",
     ),
     "temperature": (
         number(-40, 200, "C"),
         "C",
-        "temperature of the lubricant, degrees Celsius (from its file, or 40)",
+        "temperature of the lubricant in degrees Celsius (default: from its file, or 40)",
     ),
 }
 
 
 def run_folder(to: Any) -> None:
-    """DIR, the folder of a run."""
-    to.add_argument("folder", metavar="DIR", help="folder the run wrote")
+    """Add DIR, the folder of a run."""
+    to.add_argument("folder", metavar="DIR", help="folder written by the run")
 
 
 def deck(to: Any) -> None:
-    """--deck and --program: the deck, and the program that runs it."""
+    """Add --deck and --program: the deck and the program that runs it."""
     to.add_argument(
         "--deck",
         metavar="FILE",
@@ -47,29 +49,29 @@ def deck(to: Any) -> None:
 
 
 def program(to: Any) -> None:
-    """--program that runs a deck."""
+    """Add --program, the program that runs a deck."""
     to.add_argument(
         "--program",
         metavar="COMMAND",
         default="build/liggghts",
-        help="program that runs it, with its own options if any: 'mpirun -np 2 build/liggghts'"
-        " (default: %(default)s)",
+        help="program that runs the deck, with its own options if any, for instance"
+        " 'mpirun -np 2 build/liggghts' (default: %(default)s)",
     )
 
 
 def jobs(to: Any) -> None:
-    """--jobs, number of runs at a time."""
+    """Add --jobs, the number of concurrent runs."""
     to.add_argument(
         "--jobs",
         metavar="N",
         type=positive,
         default=len(os.sched_getaffinity(0)),
-        help="runs at a time (default: number of cores, %(default)s)",
+        help="number of concurrent runs (default: number of cores, %(default)s)",
     )
 
 
 def variables(to: Any, what: str) -> None:
-    """-var and --var; `what` names the variables that they set."""
+    """Add -var and --var; `what` describes the variables that they set."""
     to.add_argument(
         "-var",
         "--var",
@@ -82,48 +84,49 @@ def variables(to: Any, what: str) -> None:
 
 
 def bearing(to: Any) -> None:
-    """--bearing and --inputs: a bearing by name, and its search folder."""
+    """Add --bearing and --inputs: the name of a bearing, and the folder to search for it."""
     to.add_argument(
         "--bearing",
         default="6208",
         metavar="NAME",
-        help="a name in inputs/bearings (raceway catalogue), or the path of a file (6208)",
+        help="a name listed by `raceway catalogue`, or the path of a file (default: 6208)",
     )
     inputs(to)
 
 
 def grooves(to: Any) -> None:
-    """--four-point and --double-row: several grooves per ring."""
+    """Add --four-point, --double-row, --arrangement and --preload for several grooves per ring."""
     to.add_argument(
         "--four-point",
         type=number(5, 60, "degrees"),
         metavar="DEGREES",
-        help="a four-point contact bearing: two grooves per ring, which centred balls touch at"
-        " this angle (the bearing's four_point, or one groove)",
+        help="a four-point contact bearing with two grooves per ring, which centred balls touch at"
+        " this angle (default: four_point in the bearing's file, or one groove)",
     )
     to.add_argument(
         "--double-row",
         type=number(0, 1, "m"),
         metavar="M",
-        help="distance of two rows of balls, metres; loads act midway between them (one row)",
+        help="distance between two rows of balls in metres; loads act midway between them"
+        " (default: one row)",
     )
     to.add_argument(
         "--arrangement",
         choices=("back_to_back", "face_to_face"),
         default="back_to_back",
-        help="arrangement of the two rows (back_to_back)",
+        help="arrangement of the two rows (default: back_to_back)",
     )
     to.add_argument(
         "--preload",
         type=number(-1e-3, 1e-3, "m"),
         default=0.0,
         metavar="M",
-        help="how far each row is pushed along the axis after first contact, metres (0)",
+        help="axial displacement of each row beyond first contact, in metres (default: 0)",
     )
 
 
 def grooves_of(arguments: argparse.Namespace) -> dict[str, Any]:
-    """Arguments of `inputs.bearing` from the options of `grooves`."""
+    """Return the arguments of `inputs.bearing` that the options of `grooves` give."""
     from raceway.theory.bearing import DoubleRow
 
     angle, spacing = arguments.four_point, arguments.double_row
@@ -137,61 +140,63 @@ def grooves_of(arguments: argparse.Namespace) -> dict[str, Any]:
 
 
 def spin_law(to: Any) -> None:
-    """--spin-law of the friction torque."""
+    """Add --spin-law, the law of spin in the friction torque."""
     to.add_argument(
         "--spin-law",
         choices=("closed", "slices"),
         default="closed",
-        help="law of spin in the friction torque: closed fits spin and slip separately, slices"
-        " combines them",
+        help="law of spin in the friction torque: closed treats spin and slip separately, slices"
+        " combines them (default: closed)",
     )
 
 
 def lubrication(to: Any) -> None:
-    """--lubrication and --oil-level of the friction torque."""
+    """Add --lubrication and --oil-level, which affect the friction torque."""
     kinds = ("bath", "jet", "mist", "grease", "minimal")
     to.add_argument(
         "--lubrication",
         choices=kinds,
         default="bath",
-        help="kind of lubrication, for inlets, starvation and drag in the friction torque (bath)",
+        help="kind of lubrication, which determines inlets, starvation and drag in the friction"
+        " torque (default: bath)",
     )
     to.add_argument(
         "--oil-level",
         type=number(0, 100, "ball diameters"),
         default=0.5,
         metavar="H",
-        help="level of an oil bath above the lowest raceway, in ball diameters (0.5)",
+        help="level of an oil bath above the lowest raceway, in ball diameters (default: 0.5)",
     )
 
 
 def supply_of(arguments: argparse.Namespace) -> Any:
-    """`oil_supply.Supply` from the options of `lubrication`."""
+    """Return the `oil_supply.Supply` that the options of `lubrication` describe."""
     from raceway.theory.oil_supply import Supply
 
     return Supply(arguments.lubrication, arguments.oil_level)
 
 
 def cage(to: Any) -> None:
-    """--cage and --cage-play of the losses at a cage."""
+    """Add --cage and --cage-play, which determine the losses at the cage."""
     to.add_argument(
         "--cage",
         choices=("chain", "ring"),
         default="chain",
         help="ring: the friction torque includes the oil in the pockets and the churning of a cage"
-        " that is one ring (chain)",
+        " that is a single ring (default: chain)",
     )
     to.add_argument(
         "--cage-play",
         type=number(1e-6, 0.1, "m"),
         metavar="M",
-        help="with --cage ring: play of its pockets along the pitch circle, metres (estimated)",
+        help="with --cage ring: play of the pockets along the pitch circle in metres (default:"
+        " estimated)",
     )
 
 
 def cage_of(arguments: argparse.Namespace) -> Any:
-    """`cage_drag.CageRing` from the options of `cage`; None for a chain, whose losses depend on its
-    motion."""
+    """Return the `cage_drag.CageRing` that the options of `cage` describe, or None for a chain,
+    whose losses depend on its motion."""
     from raceway.theory.cage_drag import CageRing
 
     if arguments.cage != "ring":
@@ -202,43 +207,46 @@ def cage_of(arguments: argparse.Namespace) -> Any:
 
 
 def models(to: Any, known: Sequence[str], said: str, default: str = DEFAULT) -> None:
-    """--models, one of `known`; `said` describes them."""
+    """Add --models, which must be one of `known`; `said` describes them."""
     to.add_argument("--models", choices=known, default=default, help=f"{said} (default: {default})")
 
 
 def lubricant(to: Any) -> None:
-    """--lubricant of commands that always need one."""
+    """Add --lubricant, for commands that always need a lubricant."""
     to.add_argument(
         "--lubricant",
         default="vg46",
         metavar="NAME",
-        help="a file of inputs/lubricants, or a path (vg46)",
+        help="a file in inputs/lubricants, or a path (default: vg46)",
     )
 
 
 def cleanliness(to: Any) -> None:
-    """--cleanliness, of the lubricant."""
+    """Add --cleanliness, the cleanliness of the lubricant."""
     to.add_argument(
         "--cleanliness",
         choices=CLEANLINESS,
         default="normal",
         metavar="WORD",
-        help=f"cleanliness of the oil, for the rating life: {', '.join(CLEANLINESS)} (normal)",
+        help="cleanliness of the oil, which affects the rating life:"
+        f" {', '.join(CLEANLINESS)} (default: normal)",
     )
 
 
 def inputs(to: Any) -> None:
-    """--inputs: search folder of bearings and lubricants."""
+    """Add --inputs, the folder in which bearings and lubricants are searched for."""
     to.add_argument(
         "--inputs",
         metavar="DIR",
-        help="the inputs folder (default: here or in a parent folder, else in the package)",
+        help="the inputs folder (default: search this folder and its parents, then the package)",
     )
 
 
 def point(to: Any, name: str, said: str = "", kind: Any = None, several: bool = True) -> None:
-    """The option --`name` of `POINT`, with one value or `several`; `said` and `kind` replace the
-    option's help and type."""
+    """Add the option --`name` of `POINT` with one value, or any number if `several` is true.
+
+    `said` and `kind` replace the help text and the type given in `POINT`.
+    """
     usual, unit, text = POINT[name]
     to.add_argument(
         f"--{name}",
@@ -250,7 +258,7 @@ def point(to: Any, name: str, said: str = "", kind: Any = None, several: bool = 
 
 
 def points(arguments: argparse.Namespace) -> list[dict[str, float]]:
-    """The operating points that the options of `point` request: every combination of the values of
-    the given options."""
+    """Return the operating points that the options of `point` request, i.e. all combinations of the
+    given values."""
     given = {name: found for name in POINT if (found := getattr(arguments, name, None))}
     return [dict(zip(given, values)) for values in itertools.product(*given.values())]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway paper`: every figure, table and checkable statement of the paper that defines the
-model."""
+"""`raceway paper`: reproduce the figures, tables and checkable statements of the paper that defines
+the model."""
 
 import argparse
 import os
@@ -11,33 +11,36 @@ from raceway.commands import Commands, options
 from raceway.errors import RacewayError
 
 DESCRIPTION = """\
-Run the cases of S. O. Farah, M. Guessasma, E. Bellenger 2020 (inputs/paper/cases.yaml), draw its
-figures, write its tables, and judge its statements. Results of runs are kept and reused as
-long as the program, the decks and the settings do not change."""
+Runs the cases of S. O. Farah, M. Guessasma, E. Bellenger 2020 (inputs/paper/cases.yaml), draws the
+figures, writes the tables, and checks the statements of the paper. Results of runs are kept and
+reused as long as the program, the decks and the settings do not change."""
 EXAMPLES = """\
 examples:
   raceway paper                          everything, into build/paper
   raceway paper --figure 8a --figure 9   two figures, and only the runs that they need
-  raceway paper --list                   available products
+  raceway paper --list                   list of the available products
 
-Exit codes: 0 done, 1 a case failed (it is named, and products that do not need it are still made),
-2 wrong command line."""
+Exit codes: 0 done, 1 a case failed (the case is named, and products that do not need it are still
+made), 2 wrong command line."""
 
 
 def add(commands: Commands) -> None:
-    """Put the subcommand under `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "paper",
-        help="figures, tables and statements of the paper",
+        help="reproduce figures, tables and statements of the paper",
         description=DESCRIPTION,
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     one.add_argument(
-        "--out", metavar="DIR", type=Path, help="where figures and tables go (default: build/paper)"
+        "--out",
+        metavar="DIR",
+        type=Path,
+        help="folder for figures and tables (default: build/paper)",
     )
     one.add_argument(
-        "--runs", metavar="DIR", type=Path, help="where runs are kept (default: build/paper/runs)"
+        "--runs", metavar="DIR", type=Path, help="folder for the runs (default: build/paper/runs)"
     )
     options.jobs(one)
     one.add_argument(
@@ -46,15 +49,19 @@ def add(commands: Commands) -> None:
         action="append",
         dest="products",
         default=[],
-        help="only this product, named as in --list; may be repeated",
+        help="make only this product, named as in --list; may be repeated",
     )
-    one.add_argument("--list", action="store_true", help="name the figures and tables, run nothing")
+    one.add_argument(
+        "--list", action="store_true", help="list the figures and tables without running anything"
+    )
     one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Make the requested products. Raises `RacewayError` for a wrong name, a failed case or a
-    missing product."""
+    """Make the requested products.
+
+    Raise `RacewayError` if a name is wrong, a case fails or a product cannot be made.
+    """
     # matplotlib and scipy take longer to load than `--help` should
     from raceway.paper import cases, press, runner
 
@@ -82,7 +89,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def _make(products, plan, tree, outcome, out):
-    """Write all products that can be made; return the names of the others."""
+    """Write all products that can be made, and return the names of those that cannot."""
     from raceway.paper import press
     from raceway.paper.book import Book
     from raceway.paper.reading import Readings
@@ -102,10 +109,12 @@ def _make(products, plan, tree, outcome, out):
 
 
 def _progress(total):
-    """A function that reports failures and progress: every case on a terminal, otherwise every
-    tenth case."""
+    """Return a function that reports failures and progress.
+
+    It reports every case if stderr is a terminal, and every tenth case otherwise.
+    """
     live = sys.stderr.isatty()
-    again = "\r\033[K" if live else ""  # overwrites the present line
+    again = "\r\033[K" if live else ""  # clears the current line
 
     def tell(done, case, error):
         if error:

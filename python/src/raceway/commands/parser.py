@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The parser of the command line, with commands by group in the help and suggestions for wrong
-words."""
+"""Command-line parser that lists the commands by group and suggests corrections for wrong words."""
 
 import argparse
 import textwrap
@@ -10,7 +9,7 @@ from raceway.commands import GROUPS, Commands
 from raceway.errors import near
 
 REST = "Others"  # heading of commands that are in no group
-NAMES, WIDTH = 12, 80  # columns of the list
+NAMES, WIDTH = 12, 80  # widths of the name column and of the whole list, in characters
 
 
 class Parser(argparse.ArgumentParser):
@@ -25,7 +24,7 @@ class Parser(argparse.ArgumentParser):
             )
 
     def refuse(self, unknown: Sequence[str]) -> None:
-        """End with a message about words that match no option or argument."""
+        """Exit with a message about the first word that matches no option or argument."""
         options = [word for action in self._actions for word in action.option_strings]
         wrong = next((word for word in unknown if word.startswith("-")), None)
         if wrong is None:
@@ -35,7 +34,7 @@ class Parser(argparse.ArgumentParser):
 
 
 def grouped(helps: Mapping[str, str]) -> str:
-    """The list of commands with their `helps`, under the headings of `GROUPS`."""
+    """Return the list of commands with their `helps`, under the headings of `GROUPS`."""
     listed = {name for names in GROUPS.values() for name in names}
     groups = GROUPS | {REST: tuple(name for name in helps if name not in listed)}
     result = []

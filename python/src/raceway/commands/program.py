@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The program given by --program, and the command that a sweep runs, with the deck given by
---deck."""
+"""The program given by --program, and the command that runs it with the deck given by --deck."""
 
 import argparse
 import signal
@@ -12,15 +11,21 @@ from raceway.sweeps import host_program
 
 
 def program(text: str) -> list[str]:
-    """Program and options as a list; if the default program is missing, the program that
-    `host_program.find` finds. Raises `RacewayError` if there is none."""
+    """Return the program and its options as a list.
+
+    If the default program is missing, return the program that `host_program.find` finds. Raise
+    `RacewayError` if there is none.
+    """
     usual = host_program.BUILT["liggghts"]
     absent = text == str(usual) and not usual.is_file()
     return host_program.find() if absent else host_program.words(text)
 
 
 def command(arguments: argparse.Namespace) -> list[str]:
-    """Program, options and deck. Raises `RacewayError` if program or deck is missing."""
+    """Return the program with its options and the deck.
+
+    Raise `RacewayError` if the program or the deck is missing.
+    """
     words = program(arguments.program)
     if not Path(arguments.deck).is_file():
         raise RacewayError(f"--deck {arguments.deck}: there is no such file")
@@ -29,7 +34,7 @@ def command(arguments: argparse.Namespace) -> list[str]:
 
 def end_on_signals() -> None:
     """Make SIGTERM and SIGHUP end the process as Ctrl-C does, so that runs are stopped and files
-    are complete."""
+    are left complete."""
     signal.signal(signal.SIGTERM, _terminated)
     signal.signal(signal.SIGHUP, _terminated)
 

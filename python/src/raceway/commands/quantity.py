@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers on the command line, plain or with a unit: range checks with a clear message."""
+"""Types for numbers on the command line, plain or with a unit, that check their range."""
 
 import argparse
 import re
@@ -10,8 +10,10 @@ from raceway import units
 
 
 def number(low: float, high: float, unit: str) -> Callable[[str], float]:
-    """An argparse type: a float from `low` to `high`, in `unit` unless the text gives another unit
-    (`units.read`)."""
+    """Return an argparse type for a float from `low` to `high`.
+
+    The value is in `unit` unless the text gives another unit (see `units.read`).
+    """
 
     def convert(text):
         try:
@@ -24,14 +26,14 @@ def number(low: float, high: float, unit: str) -> Callable[[str], float]:
 
 
 def positive(text: str) -> int:
-    """An argparse type: a whole number from 1."""
+    """Convert `text` to a positive whole number; for use as an argparse type."""
     if not re.fullmatch(r"[1-9][0-9]*", text):
-        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 1")
+        raise argparse.ArgumentTypeError(f"'{text}' is not a positive whole number")
     return int(text)
 
 
 def each(*kinds: Callable[[str], Any]) -> type[argparse.Action]:
-    """An argparse action for an option with one value for each of the types `kinds`."""
+    """Return an argparse action for an option that has one value for each of the types `kinds`."""
 
     class Each(argparse.Action):
         def __call__(self, parser, namespace, values, option_string=None):
@@ -45,7 +47,7 @@ def each(*kinds: Callable[[str], Any]) -> type[argparse.Action]:
 
 
 def inside(value: float, text: str, low: float, high: float, unit: str) -> float:
-    """`value`, or an error message if it is not between `low` and `high`."""
+    """Return `value`; raise `argparse.ArgumentTypeError` if it is not between `low` and `high`."""
     if not low <= value <= high:
         raise argparse.ArgumentTypeError(
             f"{text} is out of range: must lie from {low:g} to {high:g} {unit}".rstrip()
@@ -54,6 +56,8 @@ def inside(value: float, text: str, low: float, high: float, unit: str) -> float
 
 
 def takes_negative(parser: argparse.ArgumentParser) -> None:
-    """Make `parser` read -20e-6 as a number; before Python 3.14 argparse accepts negative numbers
-    only without an exponent."""
+    """Make `parser` read -20e-6 as a number.
+
+    Before Python 3.14, argparse accepts negative numbers only without an exponent.
+    """
     parser._negative_number_matcher = re.compile(r"-\.?[0-9]")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Options of the commands that read a recording of a real bearing."""
+"""Options shared by the commands that read a recording of a real bearing."""
 
 import argparse
 from typing import TYPE_CHECKING, Any
@@ -12,12 +12,13 @@ if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
 
 
 def add(to: Any, bearing: bool = True) -> None:
-    """Add FILE, --rate, --rpm, --nominal, --channel and --band, and --bearing if `bearing` is
-    true."""
+    """Add the options FILE, --rate, --rpm, --nominal, --channel and --band, and --bearing if
+    `bearing` is true."""
     to.add_argument(
         "file",
         metavar="FILE",
-        help=".mat (CWRU, MFPT, Paderborn, raceway dataset), .npz, .csv (FEMTO, or columns), .wav",
+        help=".mat (CWRU, MFPT, Paderborn, raceway dataset), .npz, .csv (FEMTO, or named columns)"
+        " or .wav",
     )
     if bearing:
         options.bearing(to)
@@ -25,7 +26,7 @@ def add(to: Any, bearing: bool = True) -> None:
         "--rate",
         type=number(1e-3, 1e8, "Hz"),
         metavar="HZ",
-        help="sampling rate, hertz (from the file)",
+        help="sampling rate in hertz (default: from the file)",
     )
     speed = to.add_mutually_exclusive_group()
     speed.add_argument(
@@ -35,20 +36,22 @@ def add(to: Any, bearing: bool = True) -> None:
         "--nominal",
         type=number(1, 1e6, "rpm"),
         metavar="R",
-        help="nominal speed, from which the true one differs by at most 1.5 %% (from the file)",
+        help="nominal speed; the true speed must be within 1.5 %% of it (default: from the file)",
     )
-    to.add_argument("--channel", default="", metavar="NAME", help="channel of the file (the first)")
+    to.add_argument(
+        "--channel", default="", metavar="NAME", help="channel of the file (default: the first)"
+    )
     to.add_argument(
         "--band",
         type=number(1e-3, 1e8, "Hz"),
         nargs=2,
         metavar=("LOW", "HIGH"),
-        help="band of the envelope, hertz (the most impulsive one)",
+        help="band of the envelope in hertz (default: the most impulsive band)",
     )
 
 
 def opened(arguments: argparse.Namespace) -> "Recording":
-    """The given recording. Raises `RacewayError`."""
+    """Return the given recording; raise `RacewayError` if it cannot be read."""
     from raceway import catalogue, inputs
     from raceway.recordings.recording import Recording
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway shaft FILE`: a shaft at rest on several bearings."""
+"""`raceway shaft FILE`: compute the equilibrium of a shaft on several bearings."""
 
 import argparse
 import json
@@ -11,11 +11,12 @@ from raceway.commands.quantity import number
 from raceway.units import prefixed
 
 DESCRIPTION = """\
-A shaft at rest on several ball bearings, from theory: load, tilt and rating life of every bearing,
-displacements of the shaft, its rigid-body properties, and its natural frequencies with the
-bearings' stiffness at rest. The shaft is a Timoshenko beam; each bearing follows the statics of
-`raceway static`. The file has sections, bearings and loads in SI units (docs/shaft.rst). Several
-values of --rpm print a line each: stiffness of the bearings and natural frequencies.
+Computes the static equilibrium of a shaft on several ball bearings from theory: the load, tilt and
+rating life of every bearing, the displacements of the shaft, its rigid-body properties, and its
+natural frequencies with the stiffness of the bearings at equilibrium. The shaft is a Timoshenko
+beam; each bearing follows the statics of `raceway static`. The file contains sections, bearings and
+loads in SI units (docs/shaft.rst). For several values of --rpm, one line is printed for each, with
+the stiffness of the bearings and the natural frequencies.
 
 For a ROSS rotor (.toml) or its matrices (.npz), only --reduced and the properties of the free
 rotor are available."""
@@ -29,44 +30,48 @@ examples:
   raceway shaft rotor.toml --reduced build/rotor.modes
 
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
-SHOWN = 6  # number of natural frequencies and of critical speeds
+SHOWN = 6  # number of natural frequencies and of critical speeds that are shown
 FASTEST = 1e4  # rad/s, upper limit of the search for critical speeds
 LOADS = ("load_x_N", "load_y_N", "load_z_N", "moment_x_N_m", "moment_y_N_m")
 PLACES = ("shift_x_m", "shift_y_m", "shift_z_m", "tilt_x_rad", "tilt_y_rad")
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "shaft",
-        help="loads, tilt and life of bearings on one shaft, without a simulation",
+        help="compute loads, tilt and life of bearings on one shaft, without a simulation",
         description=DESCRIPTION,
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    one.add_argument("file", metavar="FILE", help="YAML file of the shaft, or a rotor of ROSS")
+    one.add_argument("file", metavar="FILE", help="YAML file of the shaft, or a ROSS rotor")
     options.inputs(one)
-    options.point(one, "rpm", "speed of the shaft (from the file)")
+    options.point(one, "rpm", "shaft speed (default: the speed in the file)")
     options.cleanliness(one)
-    one.add_argument("--json", action="store_true", help="JSON: a list for several --rpm")
-    one.add_argument("--out", metavar="PNG", help="draw the shaft's displacement")
+    one.add_argument(
+        "--json", action="store_true", help="print a JSON object, or a list for several --rpm"
+    )
+    one.add_argument("--out", metavar="PNG", help="plot the displacement of the shaft")
     reduced = one.add_argument_group("a shaft that bends, for fix bearing/shaft")
     reduced.add_argument(
-        "--reduced", metavar="FILE", help="write the bending of the shaft in a few coordinates"
+        "--reduced",
+        metavar="FILE",
+        help="write a model of the bending shaft that is reduced to a few coordinates",
     )
     reduced.add_argument(
         "--modes",
         type=int,
         default=4,
         metavar="N",
-        help="modes per plane with bearings and loads held (4)",
+        help="number of modes per plane with bearings and loads held (default: 4)",
     )
     reduced.add_argument(
         "--damping",
         type=number(0, 1, ""),
         default=0.0,
         metavar="RATIO",
-        help="damping ratio of every elastic mode (0)",
+        help="damping ratio of every elastic mode (default: 0)",
     )
     reduced.add_argument(
         "--kept",
@@ -74,8 +79,8 @@ def add(commands: Commands) -> None:
         nargs="+",
         default=[],
         metavar="Z",
-        help="places with exact deflection under steady loads, m: in addition to bearings and"
-        " loads of a YAML file, instead of the bearings of a ROSS rotor",
+        help="positions (m) at which the deflection under steady loads is exact; in addition to the"
+        " bearings and loads of a YAML file, but instead of the bearings of a ROSS rotor",
     )
     reduced.add_argument(
         "--places",
@@ -83,13 +88,16 @@ def add(commands: Commands) -> None:
         nargs="+",
         default=[],
         metavar="Z",
-        help="further places of loads and unbalances of the deck, m",
+        help="further positions (m) at which the deck applies loads and unbalances",
     )
     one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the figures and draw on request. Raises `RacewayError`."""
+    """Print the results, and draw the shaft on request.
+
+    Raise `RacewayError` if there is no equilibrium or if the file or an option is invalid.
+    """
     # loading scipy takes longer than printing --help
     from raceway import ross_file, shaft_file
     from raceway.errors import RacewayError
@@ -134,7 +142,7 @@ def _check(arguments):
 
 
 def reduce(case: Any, rest: Any, arguments: argparse.Namespace) -> None:
-    """Write the file `arguments.reduced`. Raises `RacewayError`."""
+    """Write the file `arguments.reduced`; raise `RacewayError` if the options are invalid."""
     from raceway import bending_file
     from raceway.errors import RacewayError
     from raceway.theory import shaft_motion
@@ -155,7 +163,7 @@ def reduce(case: Any, rest: Any, arguments: argparse.Namespace) -> None:
 
 
 def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[str, Any]:
-    """Figures of a `shaft_file.Case` and its `shaft.Rest` by name, in SI units."""
+    """Return results for a `shaft_file.Case` and its `shaft.Rest` in SI units, keyed by name."""
     from raceway import catalogue, inputs
     from raceway.theory import life, shaft_modes, shaft_motion
 
@@ -221,7 +229,7 @@ def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[
 
 
 def table(result: dict[str, Any]) -> str:
-    """The result of `figures` as text."""
+    """Return the result of `figures` as text."""
     columns = (
         ("bearing", "bearing", ""),
         ("at_m", "at", "m"),
@@ -275,7 +283,7 @@ def table(result: dict[str, Any]) -> str:
 
 
 def over_speed(results: list[dict[str, Any]]) -> str:
-    """Several results of `figures` as text, one line each."""
+    """Return several results of `figures` as text, with one line for each."""
     names = [one["bearing"] for one in results[0]["bearings"]]
     heads = [f"{name} {entry}" for name in names for entry in ("kxx", "kyy")]
     rows = [["rpm", *heads, *(f"mode {k}" for k in range(1, SHOWN + 1))]]
@@ -289,7 +297,7 @@ def over_speed(results: list[dict[str, Any]]) -> str:
 
 
 def rigid_figures(rigid: Any) -> dict[str, float]:
-    """Figures of a `beam_motion.Rigid` by name, in SI units."""
+    """Return the properties of a `beam_motion.Rigid` in SI units, keyed by name."""
     return dict(
         mass_kg=rigid.mass,
         centre_m=rigid.centre,
@@ -299,7 +307,7 @@ def rigid_figures(rigid: Any) -> dict[str, float]:
 
 
 def rigid_line(body: dict[str, float]) -> str:
-    """The result of `rigid_figures` as a line of text."""
+    """Return the result of `rigid_figures` as a line of text."""
     return (
         f"Rigid body: mass {body['mass_kg']:.4g} kg,"
         f" centre at {prefixed(body['centre_m'], 'm')},"
@@ -314,8 +322,10 @@ def _block(rows):
 
 
 def _noise(values):
-    """{unit: value below which figures (value, unit) are shown as 0}. Figures of a shaft at rest
-    are accurate to 1e-9 of the loads."""
+    """Return {unit: value below which a quantity (value, unit) is shown as 0}.
+
+    The equilibrium of a shaft is accurate to 1e-9 of the loads.
+    """
     largest: dict[str, float] = {}
     for value, unit in values:
         largest[unit] = max(largest.get(unit, 0.0), abs(value or 0.0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway spectrum DIR`: the kinematic lines in the motion of the inner ring."""
+"""`raceway spectrum DIR`: find the kinematic lines in the motion of a ring."""
 
 import argparse
 import json
@@ -19,21 +19,21 @@ if TYPE_CHECKING:  # xarray takes longer to load than `--help` should
     from raceway.runs.spectrum import Line
 
 DESCRIPTION = """\
-Spectrum of a column of a ring, with the kinematic lines found in it. Measure enough ball
-passes: -var passes 40 separates all lines but FTF. The record must be longer than five periods of
-a line.
+Computes the spectrum of one column of a ring and finds the kinematic lines in it. Simulate enough
+ball passes: -var passes 40 separates all lines except FTF. For each line, the record must be longer
+than five of its periods.
 
---envelope takes the spectrum of the signal's envelope in a band around a resonance. It shows the
-rate at which flaws excite the resonance, with the sidebands of the shaft and the cage.
+--envelope computes the spectrum of the signal's envelope in a band around a resonance. It shows the
+rate at which flaws excite the resonance, with the sidebands due to the shaft and the cage.
 
-The kinematics assume balls that roll at the measured contact angle. The last column compares with
-lines from the cage and balls of the run, which slip. If the outer ring rotates, the line of its
-rotation and VC, the rate at which balls pass the load, are added, and FTF is the cage's speed
-relative to the frame.
+The kinematics assume that balls roll without slip at the measured contact angle. The last column
+gives the deviation from lines computed with the actual speeds of cage and balls in the run, which
+include slip. If the outer ring rotates, two lines are added: its rotation and VC, the rate at which
+balls pass the load; FTF is then the cage speed relative to the frame.
 
---kind time draws the signal, or its envelope, over time and frequency. If the speed of the shaft
-changes by more than 1 %, orders of the shaft (inner relative to outer ring) replace the
-frequencies."""
+--kind time draws the signal, or its envelope, as a function of time and frequency. If the speed of
+the shaft changes by more than 1 %, frequencies are replaced by orders of the shaft speed (inner
+relative to outer ring)."""
 EXAMPLES = """\
 examples:
   build/liggghts -in inputs/in.6208 -var passes 40 -var out build/run/long
@@ -46,10 +46,10 @@ Exit codes: 0 done, 1 the run is broken or has no such signal, 2 wrong command l
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "spectrum",
-        help="kinematic lines (FTF, BSF, BPFO, BPFI) in the motion and force of the inner ring",
+        help="find kinematic lines (FTF, BSF, BPFO, BPFI) in the motion of a ring",
         description=DESCRIPTION,
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -59,50 +59,61 @@ def add(commands: Commands) -> None:
         "--signal",
         default="shift",
         metavar="NAME",
-        help="shift (displacement along the load, the default), x, y, fx, fy, mz, capacitance ...",
+        help="column of the ring: shift (displacement along the load, the default), x, y, fx, fy,"
+        " mz, capacitance ...",
     )
     one.add_argument(
         "--ring",
         choices=("inner", "outer"),
         default="inner",
-        help="ring of the signal; an outer ring in a housing also has ax, ay ... (default inner)",
+        help="ring that the signal belongs to; an outer ring in a housing also has ax, ay ..."
+        " (default: inner)",
     )
     one.add_argument(
-        "--harmonics", type=count, default=3, metavar="N", help="number per line (default 3)"
+        "--harmonics",
+        type=count,
+        default=3,
+        metavar="N",
+        help="number of harmonics per line (default: 3)",
     )
     one.add_argument(
         "--angle",
         type=number(0, 90, "degrees"),
         metavar="DEG",
-        help="contact angle of the kinematics (default: as measured, else nominal, else 0)",
+        help="contact angle for the kinematics (default: the measured angle if there is one,"
+        " otherwise the nominal angle, otherwise 0)",
     )
     one.add_argument(
-        "--envelope", action="store_true", help="spectrum of the signal's envelope, with sidebands"
+        "--envelope",
+        action="store_true",
+        help="compute the spectrum of the signal's envelope, with sidebands",
     )
     one.add_argument(
         "--band",
         type=number(1e-3, 1e8, "Hz"),
         nargs=2,
         metavar=("LOW", "HIGH"),
-        help="band of the envelope, hertz (default: the most impulsive one)",
+        help="band of the envelope in hertz (default: the most impulsive band)",
     )
-    one.add_argument("--json", action="store_true", help="a JSON list instead of a table")
+    one.add_argument("--json", action="store_true", help="print a JSON list instead of a table")
     one.add_argument(
         "--kind",
         choices=("lines", "time"),
         default="lines",
-        help="lines (default), or time: a picture over time and frequency, or order in a run-up",
+        help="lines (default), or time: a picture of the signal as a function of time and"
+        " frequency, or order in a run-up",
     )
     one.add_argument(
         "--out",
         metavar="PNG",
-        help="draw the spectrum with its lines marked (kind time: default DIR/time_frequency.png)",
+        help="plot the spectrum and mark its lines (default for --kind time:"
+        " DIR/time_frequency.png)",
     )
     one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the lines of the run and draw them on request."""
+    """Print the lines of the run, and plot them on request."""
     from raceway.runs import envelope
     from raceway.runs.spectrum import lines, of_run
 
@@ -139,12 +150,12 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def _over_time(arguments, opened):
-    """Draw the picture over time and print its path."""
+    """Draw the picture of time and frequency, and print its path."""
     from raceway.pictures.time_frequency import picture
     from raceway.runs import envelope, time_frequency
 
     if arguments.json:
-        arguments.complain("--json applies to kind lines")
+        arguments.complain("--json applies to --kind lines")
     name, ring, band = arguments.signal, arguments.ring, arguments.band
     if arguments.envelope and band is None:
         band = envelope.of_run(opened, name, None, ring).attrs["band"]
@@ -155,8 +166,10 @@ def _over_time(arguments, opened):
 
 
 def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
-    """The `Line`s `found` in the `spectrum` of a run or recording as text. The last column is
-    relative to the lines that follow from the speed of the cage, if this speed is known."""
+    """Return the `Line`s `found` in the `spectrum` of a run or recording as text.
+
+    If the cage speed is known, the last column is the deviation from the lines that follow from it.
+    """
     unit, resolution, of = spectrum.attrs["units"], spectrum.attrs["resolution"], spectrum.dims[0]
     fine = prefixed(resolution, "Hz", 3) if of == "frequency" else f"{resolution:.3g} orders"
     rows = [f"{spectrum.attrs['long_name']}; resolution {fine}"]
@@ -188,11 +201,11 @@ def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> s
 
 
 def plain(line: "Line", unit: str) -> dict[str, Any]:
-    """A `Line` of a signal in `unit` for JSON; values that were not found are None."""
+    """Return a `Line` of a signal in `unit` for JSON; values that were not found are None."""
     values = line._asdict()
     places = ("expected", "found", "by_cage")
     keys = {key: f"{key}_{values['unit']}" if key in places else key for key in values}
-    values["unit"] = unit  # of the amplitude
+    values["unit"] = unit  # unit of the amplitude
     return {
         keys[key]: None if isinstance(value, float) and not math.isfinite(value) else value
         for key, value in values.items()
@@ -200,11 +213,11 @@ def plain(line: "Line", unit: str) -> dict[str, Any]:
 
 
 def count(text: str) -> int:
-    """An argparse type: a number of harmonics."""
+    """Convert `text` to a number of harmonics; for use as an argparse type."""
     value = int(text)
     if not 1 <= value <= 50:
         raise ValueError
     return value
 
 
-count.__name__ = "number from 1 to 50"  # its name in argparse's error message
+count.__name__ = "number from 1 to 50"  # argparse prints this name in its error message

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway static`: loads, displacements, film and capacitance of a bearing without a
+"""`raceway static`: compute loads, displacements, film and capacitance of a bearing without a
 simulation."""
 
 import argparse
@@ -11,17 +11,18 @@ from raceway.commands import Commands, options
 from raceway.commands.quantity import number, takes_negative
 from raceway.theory import models
 
-HELP = "loads, tilt, film and capacitance from theory, without a simulation"
+HELP = "compute loads, tilt, film and capacitance from theory, without a simulation"
 DESCRIPTION = """\
-Quasi-static equilibrium of a ball bearing in five degrees of freedom (Jones, Harris): radial and
-axial load and two moments on the inner ring, free contact angles, centrifugal load of the balls.
-With a lubricant and a speed, it includes the film (Masjedi-Khonsari) and capacitance of every
-contact, rolling without slip, and the friction torque by part, compared with makers' formulas.
---models paper uses the publication's laws, which have no friction torque.
+Computes the quasi-static equilibrium of a ball bearing in five degrees of freedom (Jones, Harris):
+radial and axial load and two moments on the inner ring, free contact angles, and the centrifugal
+load of the balls. If a lubricant and a speed are given, the results also include the film
+thickness (Masjedi-Khonsari) and capacitance of every contact for rolling without slip, and the
+parts of the friction torque, which is compared with the formulas of bearing makers. --models paper
+uses the laws of the publication, which has no friction torque.
 
-x points along the radial load, z along the bearing's axis. As in a deck, the ring is held along z
-unless it has an axial load: at 0, or where its balls touch both raceways at their contact angle. It
-is held untilted unless --moment frees its tilts or --tilt imposes them. The first ball is at the
+x points along the radial load and z along the bearing axis. As in a deck, the ring is held along z
+unless it has an axial load: at 0, or where the balls touch both raceways at their contact angle. It
+is held untilted unless --moment frees its tilts or --tilt prescribes them. The first ball is at the
 azimuth --phase, measured from the load line."""
 EXAMPLES = """\
 examples:
@@ -38,8 +39,8 @@ examples:
   raceway static --bearing 7208 --load 1000 --double-row 18e-3 --preload 5e-6 --moment 10 0
   raceway static --bearing my/bearing --axial 500 --hold x=0 --hold y=0
 
-Bearings and lubricants are the files of inputs/bearings and inputs/lubricants; a name with a slash
-is your own file in the same format.
+Bearings and lubricants are files in inputs/bearings and inputs/lubricants; a name with a slash is
+the path of your own file in the same format.
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 HOLD = {
     "x": number(-1e-2, 1e-2, "m"),
@@ -51,7 +52,7 @@ HOLD = {
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "static",
         help=HELP,
@@ -63,19 +64,22 @@ def add(commands: Commands) -> None:
     options.bearing(one)
     loads = one.add_argument_group("loads on the inner ring")
     options.point(loads, "load")
-    options.point(loads, "axial", "along z, newtons; 0 holds the ring along z (0)")
+    options.point(
+        loads, "axial", "axial load along z in newtons; 0 holds the ring along z (default: 0)"
+    )
     loads.add_argument(
         "--spectrum",
         metavar="FILE",
-        help="CSV table with columns load, axial, rpm, share (of the time) instead of loads, or"
-        " results.csv of a sweep: life and equivalent load of all its points together",
+        help="instead of loads: CSV table with the columns load, axial, rpm and share (fraction of"
+        " the time), or results.csv of a sweep; computes life and equivalent load of all its points"
+        " together",
     )
     loads.add_argument(
         "--moment",
         type=number(-1e5, 1e5, "N m"),
         nargs=2,
         metavar=("MX", "MY"),
-        help="about x and y, newton metres; frees the tilts, even if 0 0",
+        help="moments about x and y in newton metres; frees the tilts, even if they are 0 0",
     )
     ring = one.add_argument_group("the ring")
     options.point(ring, "clearance")
@@ -85,7 +89,8 @@ def add(commands: Commands) -> None:
         type=number(-0.2, 0.2, "rad"),
         nargs=2,
         metavar=("RX", "RY"),
-        help="hold these tilts about x and y: rad, or 20arcmin, 0.3deg, 5mrad",
+        help="hold the ring at these tilts about x and y, in rad or with a unit (20arcmin, 0.3deg,"
+        " 5mrad)",
     )
     ring.add_argument(
         "--hold",
@@ -93,14 +98,15 @@ def add(commands: Commands) -> None:
         action="append",
         default=[],
         metavar="NAME=VALUE",
-        help="hold a degree of freedom: x, y, z in metres, rx, ry as --tilt; may be repeated",
+        help="hold a degree of freedom: x, y or z in metres, rx or ry with the units of --tilt; may"
+        " be repeated",
     )
     ring.add_argument(
         "--exact-circle",
         action="store_true",
         help=(
-            "shift and tilt the groove as a rigid circle, as a simulation does; default: only its"
-            " components in each ball's plane, as in Jones and Harris"
+            "shift and tilt the groove as a rigid circle, as a simulation does (default: use only"
+            " the components in the plane of each ball, as in Jones and Harris)"
         ),
     )
     balls = one.add_argument_group("balls, speed, film")
@@ -109,26 +115,30 @@ def add(commands: Commands) -> None:
         type=number(-2 * math.pi, 2 * math.pi, "rad"),
         default=0.0,
         metavar="ANGLE",
-        help="azimuth of the first ball from the load line: rad, or 20deg (0)",
+        help="azimuth of the first ball measured from the load line, in rad or with a unit (20deg)"
+        " (default: 0)",
     )
     options.point(
-        balls, "rpm", "speed of the inner ring; causes the centrifugal load of the balls (0)"
+        balls,
+        "rpm",
+        "speed of the inner ring, which causes the centrifugal load of the balls (default: 0)",
     )
     balls.add_argument(
         "--density",
         type=number(100, 3e4, "kg/m^3"),
         metavar="RHO",
-        help="density of the balls, kg/m^3 (the bearing's ball_density, or 7800)",
+        help="density of the balls in kg/m^3 (default: ball_density in the bearing's file, or"
+        " 7800)",
     )
     balls.add_argument(
-        "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; needs --rpm"
+        "--lubricant", metavar="NAME", help="a file in inputs/lubricants, or a path; needs --rpm"
     )
     options.point(balls, "temperature")
     options.models(
         one,
         models.STATICS,
-        "full: film in the gap, inlet shear, friction torque; eyring: full with Eyring's stress in"
-        " the film; paper: as in the publication, without friction torque",
+        "full: includes the film in the gap, inlet shear and friction torque; eyring: full with the"
+        " Eyring stress in the film; paper: as in the publication, without friction torque",
     )
     options.spin_law(one)
     options.lubrication(one)
@@ -138,15 +148,21 @@ def add(commands: Commands) -> None:
         type=number(1, 1e8, "N"),
         metavar="N",
         dest="dynamic",
-        help="dynamic load rating of a row, newtons, for the rating life (from the bearing's file)",
+        help="dynamic load rating of one row in newtons, for the rating life (default: from the"
+        " bearing's file)",
     )
     options.cleanliness(one)
-    one.add_argument("--json", action="store_true", help="JSON: a list for several points")
+    one.add_argument(
+        "--json", action="store_true", help="print a JSON object, or a list for several points"
+    )
     one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the figures. Raises `RacewayError`."""
+    """Print the results.
+
+    Raise `RacewayError` if there is no equilibrium or if the data cannot be used.
+    """
     # loading scipy takes longer than printing --help
     from raceway.theory import load_spectrum
     from raceway.theory.operating_point import figures
@@ -167,11 +183,11 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.lubricant not in (None, "dry") and not speeds:
         arguments.complain("--lubricant: a film needs a speed; give --rpm")
     if arguments.spin_law != "closed" and arguments.models == models.PAPER:
-        arguments.complain("--spin-law: applies to the friction torque only; give --models full")
+        arguments.complain("--spin-law applies only to the friction torque; give --models full")
     dry = arguments.lubricant in (None, "dry")
     if arguments.cage == "ring" and (dry or arguments.models == models.PAPER):
         arguments.complain(
-            "--cage: applies to the friction torque of oil; give --lubricant and --models full"
+            "--cage applies to the friction torque of oil; give --lubricant and --models full"
         )
     if arguments.temperature is not None and dry:
         arguments.complain("--temperature applies to the lubricant; give --lubricant")

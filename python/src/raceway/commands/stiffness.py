@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway stiffness`: a bearing's stiffness and damping over load and speed."""
+"""`raceway stiffness`: compute stiffness and damping of a bearing for loads and speeds."""
 
 import argparse
 import math
@@ -10,14 +10,15 @@ from raceway.commands.quantity import number, takes_negative
 from raceway.theory.models import CAPACITANCE
 
 DESCRIPTION = """\
-Stiffness and damping of a bearing's ring from statics and films: 5 x 5 matrices in x, y, z, rx, ry,
-as the mean over a ball pass with the least and greatest values. Each radial load and speed has a
-row. Damping comes from films and steel alone, and needs a lubricant.
+Computes stiffness and damping of the inner ring of a bearing from statics and films: 5 x 5 matrices
+in x, y, z, rx, ry, averaged over a ball pass, together with their smallest and largest values. The
+table has one row for each radial load and speed. Damping includes only the contributions of films
+and steel, and requires a lubricant.
 
---out writes them in a format that depends on the file name extension:
-  .csv   a table, with units in its first line
-  .json  all of it
-  .toml  for ROSS, one load: ross.BearingElement.load(FILE); without tilting terms, see
+--out writes the results in a format that depends on the file name extension:
+  .csv   a table with the units in its first line
+  .json  all results
+  .toml  for ROSS, with a single load: ross.BearingElement.load(FILE); without tilting terms, see
          docs/stiffness.rst"""
 EXAMPLES = """\
 examples:
@@ -30,10 +31,10 @@ FORMATS = (".csv", ".json", ".toml")
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "stiffness",
-        help="stiffness and damping over load and speed, for ROSS and other programs",
+        help="compute stiffness and damping for loads and speeds, for ROSS and other programs",
         description=DESCRIPTION,
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -43,23 +44,25 @@ def add(commands: Commands) -> None:
     options.grooves(one)
     options.point(one, "load")
     options.point(one, "axial", several=False)
-    options.point(one, "rpm", "speed of the inner ring; several in ascending order (0)")
+    options.point(one, "rpm", "speed of the inner ring, or several in ascending order (default: 0)")
     options.point(one, "clearance", several=False)
     one.add_argument(
-        "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; adds damping"
+        "--lubricant", metavar="NAME", help="a file in inputs/lubricants, or a path; adds damping"
     )
     options.point(one, "temperature", several=False)
     one.set_defaults(load=[0.0], axial=0.0, rpm=[0.0], clearance=0.0)
     options.models(
         one,
         CAPACITANCE,
-        "full: film in the gap and its damping branch; paper: damping as in the publication",
+        "full: includes the film in the gap and its damping branch; paper: damping as in the"
+        " publication",
     )
     one.add_argument(
         "--frequency",
         type=number(0, 1e5, "Hz"),
         metavar="HZ",
-        help="frequency of the vibration, for the damping (frequency of the shaft's rotation)",
+        help="vibration frequency at which the damping is evaluated (default: rotational frequency"
+        " of the shaft)",
     )
     one.add_argument(
         "--phases",
@@ -67,32 +70,37 @@ def add(commands: Commands) -> None:
         choices=range(1, 65),
         default=8,
         metavar="N",
-        help="ball positions within a ball pass, 1 to 64 (8)",
+        help="number of ball positions within a ball pass, from 1 to 64 (default: 8)",
     )
     one.add_argument(
-        "--node", type=int, default=0, metavar="N", help=".toml: node of the rotor (0)"
+        "--node", type=int, default=0, metavar="N", help="for .toml: node of the rotor (default: 0)"
     )
     one.add_argument(
         "--tilts",
         choices=("held", "free"),
         default="held",
-        help=".toml: tilts of the ring are held, or free without moments (held)",
+        help="for .toml: tilts of the ring are held, or free without moments (default: held)",
     )
-    one.add_argument("--out", metavar="FILE", help="write .csv, .json or .toml")
+    one.add_argument("--out", metavar="FILE", help="write the results to a .csv, .json or .toml")
     one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the table, or write the file and print its name. Raises `RacewayError`."""
+    """Print the table, or write the file and print its name.
+
+    Raise `RacewayError` if there is no equilibrium or if the data cannot be used.
+    """
     ending = Path(arguments.out).suffix if arguments.out else None
     if ending is not None and ending not in FORMATS:
         arguments.complain(f"--out {arguments.out}: the name must end in {', '.join(FORMATS)}")
     if ending == ".toml" and len(arguments.load) > 1:
-        arguments.complain(f"--out {arguments.out}: ROSS takes one load, not {len(arguments.load)}")
+        arguments.complain(
+            f"--out {arguments.out}: ROSS accepts only one load, not {len(arguments.load)}"
+        )
     if any(a >= b for a, b in zip(arguments.rpm, arguments.rpm[1:])):
-        arguments.complain("--rpm: give rising speeds")
+        arguments.complain("--rpm: speeds must be in ascending order")
     if arguments.node < 0:
-        arguments.complain(f"--node {arguments.node}: must be 0 or more")
+        arguments.complain(f"--node is {arguments.node}, must be at least 0")
     if arguments.temperature is not None and arguments.lubricant is None:
         arguments.complain("--temperature applies to the lubricant; give --lubricant")
     if arguments.lubricant is not None and not all(arguments.rpm):
@@ -125,7 +133,10 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def table(points: list) -> str:
-    """Translations of `rotor.Point`s as text; the stiffness along y with its range over a pass."""
+    """Return a table of the translational terms of `rotor.Point`s as text.
+
+    The stiffness along y is shown with its range over a ball pass.
+    """
     from raceway.units import prefixed
 
     damped = any(one.over.mean.damping.any() for one in points)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway summary DIR`: the figures of a run."""
+"""`raceway summary DIR`: print the results of a run."""
 
 import argparse
 import json
@@ -11,31 +11,31 @@ examples:
   raceway summary build/run/6208
   raceway summary build/run/6208 --json | python3 -m json.tool
 
-Exit codes: 0 done, 1 the folder holds no finished run or a broken one, 2 wrong command line."""
+Exit codes: 0 done, 1 the folder has no finished run or a broken one, 2 wrong command line."""
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "summary",
-        help="the figures of a run, with units and equations",
+        help="print the results of a run with units and equations",
         description=(
-            "Loads, pressures, film, capacitance and speed of a finished run, each with its unit"
-            " and equation, and beside them the figures of `raceway static` at the run's load,"
-            " speed, clearance and models."
+            "Prints loads, pressures, film, capacitance and speed of a finished run, each with its"
+            " unit and equation, next to the results of `raceway static` for the load, speed,"
+            " clearance and models of the run."
         ),
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     one_run.add(one)
     one.add_argument(
-        "--json", action="store_true", help="one JSON object in SI units instead of a table"
+        "--json", action="store_true", help="print a JSON object in SI units instead of a table"
     )
     one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the figures."""
+    """Print the results."""
     from raceway.runs.statics import statics
     from raceway.runs.summary import summary, table
 

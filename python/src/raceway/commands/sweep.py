@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway sweep`: run the rows of a table, or write them as a job array."""
+"""`raceway sweep`: run a deck for every row of a table, or write a job array that does so."""
 
 import argparse
 import re
@@ -16,14 +16,16 @@ from raceway.sweeps.points import deck_variables, read_points
 
 HELP = "run a deck for every row of a table"
 DESCRIPTION = """\
-Each row of the CSV file TABLE is a point, each column a variable of the deck: load, rpm, clearance,
-lubricant, ... Every point gets a folder in DIR named after its values. Finished points are not run
-again, so a sweep that was stopped (Ctrl-C, kill, a time limit) continues when the command is
-repeated; two sweeps started on one DIR share the work. The message of a point that fails is kept,
-and the other points continue. At the end DIR/results.csv has a row per point.
+Each row of the CSV file TABLE is a point, and each column a variable of the deck: load, rpm,
+clearance, lubricant, ... Every point has its own folder in DIR, named after its values. Finished
+points are not run again, so a sweep that was stopped (by Ctrl-C, kill or a time limit) continues
+when the command is repeated; two sweeps started on the same DIR share the work. If a point fails,
+its error message is kept and the other points continue. At the end, DIR/results.csv has one row per
+point.
 
-A column `share` is not a variable but the time share of a point in a load spectrum:
-`raceway static --spectrum DIR/results.csv` computes the life under all points together.
+A column `share` is not a variable; it contains the fraction of the time that a load spectrum spends
+at each point. `raceway static --spectrum DIR/results.csv` computes the life under all points
+together.
 """
 EXAMPLES = """\
 examples:
@@ -31,7 +33,8 @@ examples:
   raceway sweep points.csv --out here --jobs 2
   raceway sweep points.csv --slurm job.sh           then: sbatch job.sh
 
-A table of four points has four lines like 5000,477.5,mineral below a first line load,rpm,lubricant.
+A table of four points has a first line such as load,rpm,lubricant and four lines such as
+5000,477.5,mineral.
 Exit codes: 0 all points finished, 1 a point failed or the table cannot be used, 2 wrong command
 line, 130 and 143 stopped."""
 SLURM = """\
@@ -52,7 +55,7 @@ exec {command} --jobs "${{SLURM_CPUS_PER_TASK:-1}}" --part "${{SLURM_ARRAY_TASK_
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     parser = commands.add_parser(
         "sweep",
         help=HELP,
@@ -63,10 +66,11 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "table",
         metavar="TABLE",
-        help="CSV file: variables of the deck in the first line, one point in each further line",
+        help="CSV file with variables of the deck in the first line and one point in each further"
+        " line",
     )
     parser.add_argument(
-        "--out", metavar="DIR", help="folder of the sweep (default: build/sweep/NAME for NAME.csv)"
+        "--out", metavar="DIR", help="folder for the sweep (default: build/sweep/NAME for NAME.csv)"
     )
     options.jobs(parser)
     options.deck(parser)
@@ -76,25 +80,27 @@ def add(commands: Commands) -> None:
         metavar="I/N",
         type=_part,
         default=(1, 1),
-        help="only the points I, I+N, I+2N, ... of the table",
+        help="run only the points I, I+N, I+2N, ... of the table",
     )
-    parser.add_argument("--check", action="store_true", help="check the table, run nothing")
     parser.add_argument(
-        "--slurm", metavar="SCRIPT", help="run nothing, write a Slurm job array to SCRIPT"
+        "--check", action="store_true", help="only check the table, without running it"
+    )
+    parser.add_argument(
+        "--slurm", metavar="SCRIPT", help="write a Slurm job array to SCRIPT instead of running it"
     )
     parser.add_argument(
         "--tasks",
         metavar="N",
         type=positive,
-        help="with --slurm: tasks in the array (default: one per point, at most 1000)",
+        help="with --slurm: number of tasks in the array (default: one per point, at most 1000)",
     )
     parser.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Run the points, or only check them or write a job array.
+    """Run the points, only check them, or write a job array.
 
-    Raises `RacewayError` for a table that cannot be used, and if a point failed.
+    Raise `RacewayError` if the table cannot be used or if a point fails.
     """
     points = read_points(arguments.table, deck_variables(arguments.deck))
     runs = command(arguments)
@@ -137,7 +143,7 @@ def run(arguments: argparse.Namespace) -> None:
             several = "s" if counts["failed"] > 1 else ""
             raise RacewayError(
                 f"{counts['failed']} point{several} failed: see the column message of {path}."
-                " --retry runs failed points again; a point that the table no longer has stays"
+                " --retry runs failed points again; a point that is no longer in the table is kept"
                 " until its folder is removed"
             )
 
@@ -146,7 +152,7 @@ def _write_array(arguments, out, points):
     tasks = min(arguments.tasks or 1000, points)
     for name in (str(out), arguments.slurm, arguments.table, arguments.deck, arguments.program):
         if not name.isprintable():  # a line break would start a new #SBATCH line
-            raise RacewayError(f"{name!r} holds a line break or another control character")
+            raise RacewayError(f"{name!r} contains a line break or another control character")
     words = [
         sys.executable,
         "-m",

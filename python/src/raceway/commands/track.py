@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway track FILE`: the state of a bearing over hours, from a series of readings."""
+"""`raceway track FILE`: track the state of a bearing over hours from a series of readings."""
 
 import argparse
 
 from raceway.commands import Commands, options
 from raceway.commands.identify import NAMES
 
-HELP = "state over hours from a series of readings: clearance, loads, oil temperature, cooling"
+HELP = "track clearance, loads, oil temperature and cooling over a series of readings"
 DESCRIPTION = """\
-An unscented Kalman filter over a series of readings: like `raceway identify`, but for a drifting
-state. Each row of a csv file has a time in s, the speed, and the readings at that time; empty cells
-are allowed. Columns: time_s, rpm, load, axial, load_more, axial_more, at (temperature of the oil),
-FTF, BPFO, BPFI, BSF (orders), capacitance (F), temperature (C).
+Applies an unscented Kalman filter to a series of readings. It estimates the same quantities as
+`raceway identify`, but for a state that drifts. Each row of a CSV file contains a time in s, the
+speed, and the readings at that time; empty cells are allowed. The columns are time_s, rpm, load,
+axial, load_more, axial_more, at (temperature of the oil), FTF, BPFO, BPFI, BSF (orders),
+capacitance (F), temperature (C).
 
-FILE has the format of `raceway identify` with `series`, `within` and `drift` instead of `readings`:
-the name of the csv file, the standard deviation of each quantity, and the possible drift of each
-unknown per hour (standard deviation; default 0, constant)."""
+FILE has the format of `raceway identify` with three keys instead of `readings`: `series` is the
+name of the CSV file, `within` the standard deviation of each quantity, and `drift` the standard
+deviation by which each unknown may drift in an hour (default: 0, i.e. constant)."""
 EXAMPLES = """\
 examples:
   raceway track hours.yaml
@@ -30,11 +31,11 @@ hours.yaml:
   within: {BPFO: 1e-4, capacitance: 0.2e-12}
   drift: {clearance: 1e-6, temperature: 10}
 
-Exit codes: 0 done, 1 the files are wrong or no state carries the loads, 2 wrong command line."""
+Exit codes: 0 done, 1 the files are invalid or no state carries the loads, 2 wrong command line."""
 
 
 def add(commands: Commands) -> None:
-    """Put the command into the parser's `commands`."""
+    """Add the command to the subparsers `commands`."""
     one = commands.add_parser(
         "track",
         help=HELP,
@@ -42,15 +43,20 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    one.add_argument("file", metavar="FILE", help="YAML file: known quantities and the series")
+    one.add_argument("file", metavar="FILE", help="YAML file of known quantities and the series")
     options.inputs(one)
-    one.add_argument("--out", metavar="PNG", help="draw the state over time")
-    one.add_argument("--csv", metavar="FILE", help="write the table here, not to the terminal")
+    one.add_argument("--out", metavar="PNG", help="plot the state against time")
+    one.add_argument(
+        "--csv", metavar="FILE", help="write the table to this file instead of the terminal"
+    )
     one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the state over time. Raises `RacewayError`."""
+    """Print the state over time.
+
+    Raise `RacewayError` if the files are invalid or if no state carries the loads.
+    """
     import pandas as pd
 
     from raceway import files

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of a data set, and the files made from them.
+"""Execute the runs of a data set and write its files.
 
-The folder holds
+The folder contains
 
-    dataset.json     the specification; a folder with another specification is refused
+    dataset.json     the specification; a folder with a different specification is rejected
     README.md        the card
     labels.csv       one row for each record
     48k/0001.mat     signals, one folder for each rate; or .parquet, or both
-    runs/0001/       the run: its variables, its figures, `label.json` once its files are written
+    runs/0001/       the run: its variables, its results, `label.json` once its files are written
 
 A record is complete once `label.json` exists, which is written last.
 """
@@ -39,14 +39,14 @@ ASKED, LABELS, LABEL = "dataset.json", "labels.csv", "label.json"
 def make(
     spec: Spec, folder: FilePath, command: Sequence[str], *, jobs: int = 1, keep: bool = False
 ) -> pd.DataFrame:
-    """Make the data set `spec` in `folder`, or resume it; return the table of labels.
+    """Make or resume the data set `spec` in `folder`, and return the table of labels.
 
-    `command` is a list: program, options, deck. `keep` preserves the records of the runs, which are
-    large. Raises `RacewayError` for a folder of another data set, and if runs fail.
+    `command` is a list of program, options and deck. `keep` preserves the records of the runs,
+    which are large. Raise `RacewayError` if the folder belongs to another data set or if runs fail.
     """
     folder, wanted = Path(folder), records(spec)
     if "parquet" in spec.files and importlib.util.find_spec("pyarrow") is None:
-        raise SpecError("record: files are parquet, which needs: pip install 'raceway[parquet]'")
+        raise SpecError("record: parquet files require pip install 'raceway[parquet]'")
     _claim(spec, folder)
     by_name = {one.point.name: one for one in wanted}
     missing = []
@@ -58,7 +58,7 @@ def make(
             if (where / run_record.NAME).exists():  # interrupted between the run and its files
                 _write(one, spec, folder, keep)
                 continue
-            (where / "summary.json").unlink()  # the record and a file are both missing: run again
+            (where / "summary.json").unlink()  # run again, because record and files are missing
             (where / "run.yaml").unlink(missing_ok=True)
         missing.append(one.point)
     counts, *_ = sweep(
@@ -83,7 +83,9 @@ def _claim(spec, folder):
     path = folder / ASKED
     if path.exists():
         if path.read_text() != asked:
-            raise SpecError(f"{folder} holds another data set: {path} differs; choose a new folder")
+            raise SpecError(
+                f"{folder} contains another data set: {path} differs; choose a new folder"
+            )
         return
     if folder.exists() and any(folder.iterdir()):
         raise SpecError(f"{folder} contains other files: choose a new folder")
@@ -92,7 +94,9 @@ def _claim(spec, folder):
 
 
 def file_of(rate: int, record: Record, kind: str = "mat") -> str:
-    """Path, relative to the folder, of the file of a record at a `rate`; `kind` is the file format.
+    """Return the path of the file of a record at a `rate`, relative to the folder of the data set.
+
+    `kind` is the file format.
 
     >>> from raceway.sweeps.points import Point
     >>> file_of(48000, Record(7, Point("0007", {}), {}, 1797.0))
@@ -115,7 +119,7 @@ def _whole(folder, one, spec):
 
 
 def _write(one: Record, spec: Spec, folder: Path, keep: bool) -> None:
-    """Files and label of a finished run."""
+    """Write the files and the label of a finished run."""
     where = folder / "runs" / one.point.name
     run = Run(where)
     name = f"a{spec.axis}"
@@ -154,8 +158,11 @@ def _save_parquet(path, one, rate, values):
 
 
 def _matlab(one: Record, rate: int, values: np.ndarray) -> Mapping[str, Any]:
-    """Variables of a .mat file. `X001_DE_time` and `X001RPM` have the names that Case Western
-    Reserve University uses for the drive end; the other variables describe the record."""
+    """Return the variables of a .mat file.
+
+    `X001_DE_time` and `X001RPM` have the names that Case Western Reserve University uses for the
+    drive end; the other variables describe the record.
+    """
     stem = f"X{one.number:03d}"
     return {
         f"{stem}_DE_time": values,
@@ -169,12 +176,12 @@ def _matlab(one: Record, rate: int, values: np.ndarray) -> Mapping[str, Any]:
 
 
 def _size(one):
-    """Length of a notch or amplitude of waves, m; 0 without a flaw."""
+    """Return the length of a notch or the amplitude of waves in m, or 0 if there is no flaw."""
     return float(one.labels.get("length", one.labels.get("amplitude", 0.0)))
 
 
 def _label(one: Record, spec: Spec, run: Run, values: np.ndarray) -> dict[str, Any]:
-    """A row of labels.csv."""
+    """Return a row of labels.csv."""
     places = spectrum.places(run, harmonics=1)
     return {
         "record": one.point.name,
@@ -197,7 +204,7 @@ def _label(one: Record, spec: Spec, run: Run, values: np.ndarray) -> dict[str, A
 
 
 def _labels(wanted: Sequence[Record], spec: Spec, folder: Path) -> pd.DataFrame:
-    """Write labels.csv and the card for the present records; return the table."""
+    """Write labels.csv and the card for the existing records, and return the table."""
     rows = [
         mapping(folder / "runs" / one.point.name / LABEL, json.loads)
         for one in wanted

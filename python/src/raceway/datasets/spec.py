@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Specification of a data set: a YAML file, and the runs that follow from it."""
+"""Specification of a data set, which is read from a YAML file, and the runs that it defines."""
 
 import math
 from collections.abc import Mapping
@@ -15,9 +15,9 @@ from raceway.sweeps.points import OURS, WORD, Point
 from raceway.theory import kinematics
 from raceway.theory.bearing import Bearing
 
-OVERSAMPLING = 4  # samples of a run per sample of the fastest file
-GUARD = 64  # samples at each end of the slowest file that the filter affects
-# words of a flaw: {word: default, or None if required}; lists are swept
+OVERSAMPLING = 4  # number of samples of a run per sample of the file with the highest rate
+GUARD = 64  # number of samples that the filter affects at each end of the file with the lowest rate
+# {parameter of a flaw: default, or None if it is required}; lists are swept
 NOTCH: dict[str, Any] = {"length": None, "width": "round", "depth": 3e-4, "edge": 5e-5}
 PIT = {name: default for name, default in NOTCH.items() if name != "width"}  # round
 FLAWS: dict[str, dict[str, Any]] = {
@@ -37,7 +37,7 @@ RANGES = {  # m, except for the place
     "amplitude": (1e-10, 1e-5),
     "place": (0, 12),  # o'clock
 }
-# values of variables that the file does not set; all others have the deck's defaults
+# values of variables that the file does not set; other variables have the deck's defaults
 USUAL = {"housing": "springs", "settle": "1"}
 SET_HERE = {
     **OURS,
@@ -49,7 +49,8 @@ SET_HERE = {
 
 
 class SpecError(RacewayError):
-    """The file of a data set cannot be used; the message names the place and the value."""
+    """Raised if the specification of a data set cannot be used; the message states the position
+    and the value."""
 
 
 class Spec(NamedTuple):
@@ -69,23 +70,24 @@ class Spec(NamedTuple):
 
     @property
     def run_rate(self) -> int:
-        """Sampling rate of the runs' records, Hz."""
+        """Sampling rate of the records of the runs in Hz."""
         return OVERSAMPLING * max(self.rates)
 
 
 class Record(NamedTuple):
-    """One record: a run and its label."""
+    """A record of the data set, i.e. a run and its label."""
 
-    number: int  # from 1
+    number: int  # counted from 1
     point: Point
     labels: dict[str, Any]
     rpm: float
 
 
 def read_spec(path: FilePath, known: Mapping[str, str]) -> Spec:
-    """The `Spec` of the YAML file `path`; `known` are the deck's variables (`deck_variables`).
+    """Read the `Spec` from the YAML file `path`.
 
-    Raises `SpecError` for a file that cannot be read, and for an unknown word or value.
+    `known` contains the deck's variables (`deck_variables`). Raise `SpecError` if the file cannot
+    be read or contains an unknown word or value.
     """
     data = yaml_file.read(path, SpecError)
     try:
@@ -163,7 +165,7 @@ def _flaws(given):
 
 def _section(name, given, words, needed=frozenset()):
     if not isinstance(given, dict) or not all(isinstance(key, str) for key in given):
-        raise SpecError(f"{name} must hold names with values")
+        raise SpecError(f"{name} must contain names with values")
     if words is not None and (more := set(given) - words):
         raise SpecError(f"{name}: '{min(more)}' is unknown; known: {', '.join(sorted(words))}")
     if missing := needed - set(given):
@@ -197,10 +199,10 @@ def _word(name, given):
 
 # ---- runs ------------------------------------------------------------------------------------
 def records(spec: Spec) -> list[Record]:
-    """The `Record`s of `spec`, in the order of its flaws, each flaw under all conditions.
+    """Return the `Record`s of `spec` in the order of its flaws, each flaw under all conditions.
 
     A seed determines the azimuth of the first ball, the initial position of a flaw on the inner
-    raceway or a ball, the number of that ball, and the phases of waves. Raises `RacewayError` for
+    raceway or on a ball, the number of that ball, and the phases of waves. Raise `RacewayError` for
     an unknown bearing.
     """
     path = catalogue.find("bearings", spec.bearing)
@@ -208,7 +210,7 @@ def records(spec: Spec) -> list[Record]:
     angle = inputs.four_point_angle(path) or inputs.nominal_angle(path)
     if "ball" in spec.flaws and len(bearing.raceways) > 2:
         raise SpecError(
-            f"flaw ball: {path.name} has four-point contact, which a pit of the ball does not reach"
+            f"flaw ball: {path.name} has four-point contact, which a pit in the ball does not reach"
         )
     passes = kinematics.frequencies(bearing, angle).outer / 60  # ball passes per second, per rpm
     length = spec.seconds + 2 * GUARD / min(spec.rates)
@@ -239,7 +241,7 @@ def records(spec: Spec) -> list[Record]:
 
 
 def azimuth(place: float) -> float:
-    """Azimuth (rad) of a `place` on a clock, 12 at the top; the load acts at 6 o'clock.
+    """Return the azimuth (rad) of a `place` on a clock with 12 at the top; the load acts at 6.
 
     >>> print(f"{azimuth(6):.4f} {azimuth(3):.4f} {azimuth(12):.4f}")
     -1.5708 0.0000 1.5708
@@ -248,7 +250,7 @@ def azimuth(place: float) -> float:
 
 
 def _words_of(kind, flaw, bearing: Bearing, turned, draw):
-    """Words of fix bearing/profile for both raceways, or for the rolling equator of a ball."""
+    """Return the arguments of fix bearing/profile for raceways or the rolling equator of a ball."""
     if kind == "none":
         return {}
     if kind == "waviness":

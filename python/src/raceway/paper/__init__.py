@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures, tables and statements of Farah, Guessasma and Bellenger 2020 from runs of this package.
+"""Reproduction of the figures, tables and statements of Farah, Guessasma and Bellenger 2020.
 
-`cases` defines the runs, `runner` runs them, `reading` reads numbers from a run, `theory` computes
-such numbers without a run; `figures`, `tables`, `sensitivity` and `statements` are the products.
+`cases` defines the runs, `runner` executes them, `reading` reads values from a run, and `theory`
+computes such values without a run; `figures`, `tables`, `sensitivity` and `statements` make the
+products.
 """

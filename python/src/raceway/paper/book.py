@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Input of the products: readings, the bearing and the oils."""
+"""Input data of the products: readings, the bearing and the oils."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -23,14 +23,14 @@ class Book:
 
     @cached_property
     def bearing(self) -> Bearing:
-        """The 6208."""
+        """The bearing of the paper, a 6208."""
         return inputs.bearing(self.root / "inputs/bearings/6208")
 
     @cached_property
     def oils(self) -> dict[str, Oil]:
-        """{name: `Oil`}."""
+        """{name: `Oil`} for the two oils of the paper."""
         return {name: inputs.oil(self.root / "inputs/lubricants" / name) for name in OILS}
 
     def entrainment(self, rpm: float) -> float:
-        """U_r in m/s of the 6208 at an inner ring speed in rpm."""
+        """Return U_r in m/s of the 6208 for an inner ring speed in rpm."""
         return float(kinematics.entrainment(self.bearing, rpm * 0.10471975511965977))

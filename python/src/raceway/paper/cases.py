@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The runs of `raceway paper`: inputs/paper/cases.yaml with lists expanded and names converted to
-the names of deck variables."""
+"""The runs of `raceway paper`, i.e. the cases of inputs/paper/cases.yaml with lists expanded and
+with names converted to those of deck variables."""
 
 import itertools
 from collections.abc import Iterable
@@ -24,15 +24,18 @@ OF_THE_PAPER = {"models": PAPER, "settle": 1}
 
 @dataclass(frozen=True)
 class Case:
-    """One run: a deck and its `-var` settings. Cases with the same settings are the same run."""
+    """A run, given by a deck and its `-var` settings.
+
+    Cases with the same settings are the same run.
+    """
 
     deck: str
     settings: tuple[tuple[str, str], ...]  # (name, text), sorted
-    given: dict[str, Any] = field(compare=False)  # as in the file, for searching
+    given: dict[str, Any] = field(compare=False)  # settings as in the file, for searching
 
     @property
     def label(self) -> str:
-        """Readable description of the case."""
+        """Human-readable description of the case."""
         given = {key: value for key, value in self.given.items() if key != "passes"}
         return f"{Path(self.deck).name} " + " ".join(
             f"{key}={value}" for key, value in given.items()
@@ -48,13 +51,16 @@ class Plan:
     root: Path  # the source tree
 
     def needed(self, products: Iterable[str]) -> list[Case]:
-        """The cases that these products need, each case once."""
+        """Return the cases that these products need, without duplicates."""
         sets = dict.fromkeys(name for product in products for name in self.products[product])
         return list(dict.fromkeys(case for name in sets for case in self.cases[name]))
 
 
 def plan(root: Path) -> Plan:
-    """`Plan` of the source tree `root`. Raises `InputError` if the file of cases is invalid."""
+    """Return the `Plan` for the source tree `root`.
+
+    Raise `InputError` if the file of cases is invalid.
+    """
     path = root / FILE
     try:
         data = yaml.safe_load(path.read_text())
@@ -69,7 +75,7 @@ def plan(root: Path) -> Plan:
         raise InputError(f"{path}: {error}") from None
     except (KeyError, TypeError, AttributeError) as error:
         raise InputError(
-            f"{path}: {error!r} where cases (deck, with) and products were expected"
+            f"{path}: {error!r}; cases (deck, with) and products were expected"
         ) from None
     if unknown := sorted({need for needs in products.values() for need in needs} - set(sets)):
         raise InputError(f"{path}: products refer to unknown cases: {', '.join(unknown)}")
@@ -82,7 +88,7 @@ def _combinations(settings):
 
 
 def _case(root, deck, given):
-    """Convert entrainment, clearance_ratio and total_curvature to the decks' variables."""
+    """Convert entrainment, clearance_ratio and total_curvature to variables of the decks."""
     known = deck_variables(root / deck)
     own = {name: value for name, value in OF_THE_PAPER.items() if name in known} | given
     ours = {
@@ -93,7 +99,7 @@ def _case(root, deck, given):
     bearing = inputs.bearing(root / "inputs/bearings" / str(own.get("bearing", 6208)))
     if "entrainment" in ours:
         own["rpm"] = rpm(bearing, ours["entrainment"])
-    if ours.get("clearance_ratio"):  # 0 is the decks' default: the same run as a case without it
+    if ours.get("clearance_ratio"):  # 0 is the default, so it gives the same run as no ratio
         own["clearance"] = ours["clearance_ratio"] * bearing.ball_diameter
     if "total_curvature" in ours:
         own["inner_groove"] = own["outer_groove"] = groove(bearing, ours["total_curvature"])
@@ -107,11 +113,11 @@ def _case(root, deck, given):
 
 
 def rpm(bearing: Bearing, entrainment: float) -> float:
-    """Inner ring speed in rpm at which rolling balls have the entrainment speed `entrainment` in
-    m/s."""
+    """Return the inner ring speed in rpm at which rolling balls have the entrainment speed
+    `entrainment` in m/s."""
     return entrainment / kinematics.entrainment(bearing, 1.0) * 30 / np.pi
 
 
 def groove(bearing: Bearing, total_curvature: float) -> float:
-    """r_c in m of both grooves for B = 2 r_c/D - 1 (eq A.2)."""
+    """Return the radius r_c in m of both grooves for B = 2 r_c/D - 1 (eq A.2)."""
     return bearing.ball_diameter * (total_curvature + 1) / 2

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Shared parts of the paper's figures."""
+"""Functions shared by the figures of the paper."""
 
 from typing import Any
 
@@ -19,7 +19,7 @@ AZIMUTH = "azimuth ψ from the load line (°)"
 
 
 def page(title: str, note: str, columns: int = 1) -> tuple[Figure, NDArray[Any]]:
-    """(figure, axes) with a title and a line that describes the run."""
+    """Return (figure, axes) with a title and a line of text that describes the run."""
     figure, axes = plt.subplots(
         1,
         columns,
@@ -39,17 +39,17 @@ def page(title: str, note: str, columns: int = 1) -> tuple[Figure, NDArray[Any]]
 
 
 def write(figure: Figure, path: FilePath) -> None:
-    """Save to `path`."""
+    """Save the figure to `path`."""
     style.save(figure, path)
 
 
 def ring_axis(axes: Axes) -> None:
-    """Azimuth from -180 to 180 degrees."""
+    """Set up the x axis as an azimuth from -180 to 180 degrees."""
     axes.set(xlabel=AZIMUTH, xlim=(-180, 180), xticks=range(-180, 181, 45))
 
 
 def legend(axes: Axes, where: str, **options: Any) -> Legend:
-    """A legend on a white background, so that the grid does not cross it."""
+    """Add a legend with a white background, so that the grid does not cross it."""
     return axes.legend(
         loc=where,
         frameon=True,
@@ -63,8 +63,10 @@ def legend(axes: Axes, where: str, **options: Any) -> Legend:
 
 
 def regimes(axes: Axes, top: float, at: float) -> None:
-    """Bands of the lambda ratio along the y axis, with their names at the fraction `at` of the
-    width."""
+    """Draw bands for the lubrication regimes along the y axis, which is the lambda ratio.
+
+    The names of the regimes are at the fraction `at` of the width.
+    """
     for low, high, name, colour in REGIMES:
         if low < top:
             axes.axhspan(low, min(high, top), color=colour, lw=0, zorder=0.1)
@@ -85,12 +87,12 @@ def regimes(axes: Axes, top: float, at: float) -> None:
 def marks(
     axes: Axes, x: ArrayLike, y: ArrayLike, colour: str, label: str, marker: str = "o"
 ) -> None:
-    """Results of the simulation, as open symbols."""
+    """Plot results of the simulation as open symbols."""
     axes.plot(x, y, marker, ms=6.5, mfc="white", mec=colour, mew=1.7, label=label, zorder=4)
 
 
 def whole(axes: Axes, x: ArrayLike, y: ArrayLike, colour: str, label: str | None = None) -> None:
-    """Results of the simulation with the total capacitance, as crosses."""
+    """Plot results of the simulation with the total capacitance as crosses."""
     axes.plot(x, y, "+", ms=9, mew=1.7, color=colour, label=label, zorder=5)
 
 
@@ -102,10 +104,10 @@ def theory(
     colour: str = INK,
     **options: Any,
 ) -> None:
-    """Results of theory, as a thin line."""
+    """Plot results of theory as a thin line."""
     axes.plot(x, y, color=colour, lw=1.3, label=label, zorder=3, **options)
 
 
 def scale(values: ArrayLike) -> float:
-    """Upper limit of an axis that starts at zero."""
+    """Return the upper limit for an axis that starts at zero."""
     return 1.08 * float(np.nanmax(values))

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Operating points at which the lambda ratio passes a given value, from theory: speed, capacitance,
-and the roughness for a given capacitance.
+"""Operating points at which the lambda ratio passes a given value, computed from theory.
 
-The contact is at the inner raceway, with a ball on the load line, where the film is thinnest.
+The functions return the speed, the capacitance, and the roughness for a given capacitance. The
+contact considered is that of a ball on the load line with the inner raceway, where the film is
+thinnest.
 """
 
 import numpy as np
@@ -16,8 +17,10 @@ from raceway.theory.bearing import INNER, Bearing
 def speed(
     bearing: Bearing, oil: Oil, radial_load: float, h_min: float, printed: bool = False
 ) -> float:
-    """Entrainment speed in m/s at which the smallest film is `h_min` in m; `h_min` grows as a power
-    of the speed."""
+    """Return the entrainment speed in m/s at which the smallest film thickness is `h_min` in m.
+
+    The film thickness grows as a power of the speed.
+    """
     q = theory.largest_load(bearing, radial_load)
     first, second = (
         theory.contact(bearing, oil, INNER, q, one, printed=printed).h_min for one in (0.5, 1.0)
@@ -34,8 +37,10 @@ def capacitance(
     whole: bool = True,
     printed: bool = False,
 ) -> float:
-    """Capacitance in F at which the smallest film is `h_min` in m, of the bearing (`whole`) or of
-    the ball on the load line."""
+    """Return the capacitance in F at which the smallest film thickness is `h_min` in m.
+
+    It is the capacitance of the bearing (`whole`) or of the ball on the load line.
+    """
     at = speed(bearing, oil, radial_load, h_min, printed)
     if whole:
         return theory.bearing_capacitance(bearing, oil, radial_load, at, printed=printed)
@@ -52,7 +57,8 @@ def roughness(
     whole: bool = True,
     printed: bool = False,
 ) -> float:
-    """Composite roughness in m for which the capacitance is `value` in F at Lambda = 1."""
+    """Return the composite roughness in m for which the capacitance at Lambda = 1 is `value` in
+    F."""
     return float(
         np.exp(
             brentq(

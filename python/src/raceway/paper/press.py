@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Makes the products and writes them: PNG and CSV of a figure, CSV of a table, CSV of the
-statements and of the numbers behind them.
+"""Make the products and write them: PNG and CSV files of figures, CSV files of tables, of the
+statements and of the values behind them.
 
-A file appears complete or not at all.
+A file is either written completely or not at all.
 """
 
 from pathlib import Path
@@ -22,14 +22,17 @@ STATEMENTS = "statements"
 
 
 def title(product: str) -> str:
-    """Description of a product in one line."""
+    """Return a one-line description of a product."""
     if product == STATEMENTS:
-        return "Every statement of the paper that can be checked, with its verdict."
+        return "All statements of the paper that can be checked, with their verdicts."
     return (FIGURES | TABLES)[product].__doc__.split("\n")[0]
 
 
 def make(product: str, book: Book, out: Path) -> list[Path]:
-    """Write one product into the folder `out`; return the paths. Raises `RacewayError`."""
+    """Write one product into the folder `out` and return the paths.
+
+    Raise `RacewayError` if it cannot be made.
+    """
     if product in FIGURES:
         with plt.rc_context(style.STYLE):
             figure, table = FIGURES[product](book)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A number with its unit and its name in words."""
+"""A value with its unit and a label."""
 
 from typing import NamedTuple
 
@@ -7,8 +7,8 @@ from raceway.units import prefixed
 
 
 class Quantity(NamedTuple):
-    """`value` in the SI `unit`, which is "" for a plain number and "%" for a share given as a
-    fraction."""
+    """A value in the SI `unit`, which is "" for a dimensionless number and "%" for a percentage
+    whose `value` is a fraction."""
 
     value: float
     unit: str
@@ -16,7 +16,7 @@ class Quantity(NamedTuple):
 
     @property
     def text(self) -> str:
-        """Text to be read: four digits with an SI prefix, three digits for a share."""
+        """Formatted value: four digits with an SI prefix, or three digits for a percentage."""
         if self.unit == "%":
             return f"{100 * self.value:.3g} %".replace("-", "−")
         plain = not self.unit or self.unit in ("°", "rpm", "rad/s")

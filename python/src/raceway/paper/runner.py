@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs cases in parallel and stores their results by program, input files and settings."""
+"""Run cases in parallel and store their results, which depend on program, input files and
+settings."""
 
 import hashlib
 import os
@@ -18,16 +19,18 @@ from raceway.paper.cases import Case
 PROGRAM = Path("build/liggghts")
 LIBRARY = Path("build/libraceway_liggghts.so")
 LOG = "screen.txt"
-TIMEOUT = 600  # s; a case takes about half a second
+TIMEOUT = 600  # s, although a case takes only about half a second
 
 
 class CaseError(RacewayError):
-    """A case did not finish."""
+    """Raised if a case did not finish."""
 
 
 def root() -> Path:
-    """The source tree that contains the current folder. Raises `RacewayError` if there is none or
-    it is not built."""
+    """Return the source tree that contains the current folder.
+
+    Raise `RacewayError` if there is none or if it has not been built.
+    """
     here = Path.cwd()
     for folder in (here, *here.parents):
         if (folder / "inputs/paper/cases.yaml").is_file():
@@ -36,28 +39,30 @@ def root() -> Path:
                     raise RacewayError(f"{folder / part} is missing: run `make build` there")
             return folder
     raise RacewayError(
-        f"no inputs/paper/cases.yaml in {here} or above: run this in Raceway's source tree"
+        f"no inputs/paper/cases.yaml in {here} or above: run this command in Raceway's source tree"
     )
 
 
 @dataclass
 class Outcome:
-    """Outcome of the cases: folders of finished runs, messages of failed runs."""
+    """Outcome of the cases: the folders of finished runs and the messages of failed runs."""
 
     folders: dict[Case, Path]
     failures: dict[Case, str]
 
 
 class Runner:
-    """Runs the cases of one source tree. Results are stored in `store`, in one folder for each
-    state of program and inputs."""
+    """Runs the cases of one source tree.
+
+    Results are stored in `store`, with one folder for each state of program and inputs.
+    """
 
     def __init__(self, tree: Path, store: FilePath) -> None:
         self.tree, self.state = tree, _digest(tree)[:16]
         self.store = Path(store).resolve() / self.state
 
     def folder(self, case: Case) -> Path:
-        """Folder of a case's results, which exists once the run has finished."""
+        """Return the folder with the results of a case, which exists once the run has finished."""
         key = hashlib.sha256(repr((case.deck, case.settings)).encode()).hexdigest()[:16]
         return self.store / f"{Path(case.deck).name[3:]}-{key}"
 
@@ -68,7 +73,10 @@ class Runner:
                 shutil.rmtree(old, ignore_errors=True)
 
     def run(self, case: Case) -> Path:
-        """Run one case unless its results exist; return its folder. Raises `CaseError`."""
+        """Run one case unless its results exist, and return its folder.
+
+        Raise `CaseError` if the run fails.
+        """
         final = self.folder(case)
         if final.is_dir():
             return final
@@ -92,8 +100,10 @@ class Runner:
         jobs: int,
         progress: Callable[[int, Case, CaseError | None], object],
     ) -> Outcome:
-        """Run `cases`, `jobs` at a time; call `progress(done, case, error)` after each. Returns an
-        `Outcome`."""
+        """Run `cases`, with `jobs` of them at the same time, and return an `Outcome`.
+
+        Call `progress(done, case, error)` after each case.
+        """
         outcome, lock = Outcome({}, {}), threading.Lock()
 
         def one(case):
@@ -160,8 +170,8 @@ class Runner:
 
 
 def _digest(tree):
-    """A digest that changes if the program, a deck or a data file changes, so that old results are
-    not reused."""
+    """Return a digest that changes if the program, a deck or a data file changes, so that old
+    results are not reused."""
     state = hashlib.sha256()
     decks = (
         path

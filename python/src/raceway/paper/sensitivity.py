@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Change of results over the plausible ranges of the data that are missing from the paper's text:
-the oils (table 2) and the roughness.
+"""Sensitivity of the results to the data that are missing from the text of the paper: the oils
+(table 2) and the roughness, each within its plausible range.
 
-The changes come from theory, at 5 kN, 0.41 m/s and no clearance; two runs with other oils show that
-the simulation changes in the same way.
+The changes are computed from theory for 5 kN, 0.41 m/s and no clearance; two runs with other oils
+show that the simulation changes in the same way.
 """
 
 import itertools
@@ -30,7 +30,7 @@ FILE = "inputs/paper/ranges.yaml"
 
 
 def ranges(book: Book) -> dict[str, dict[str, tuple[float, float]]]:
-    """{oil: {property: (low, high)}} of `FILE`. Raises `InputError`."""
+    """Return {oil: {property: (low, high)}} from `FILE`; raise `InputError` if it is invalid."""
     path = book.root / FILE
     try:
         data = yaml_file.read(path)
@@ -40,12 +40,12 @@ def ranges(book: Book) -> dict[str, dict[str, tuple[float, float]]]:
         }
     except (KeyError, TypeError, ValueError) as error:
         raise InputError(
-            f"{path}: {error!r} where low and high of every property were expected"
+            f"{path}: {error!r}; low and high of every property were expected"
         ) from None
 
 
 def outcome(book: Book, oil: Oil) -> dict[str, float]:
-    """Results with one `Oil`, SI units by name."""
+    """Return {name: result in SI units} for one `Oil`."""
     bearing = book.bearing
     inner = theory.contact(bearing, oil, INNER, theory.largest_load(bearing, LOAD), SPEED)
     return {
@@ -95,9 +95,11 @@ def table(book: Book) -> pd.DataFrame:
 
 
 def power(book: Book, what: str, ball: Callable[[Oil], float] | None = None) -> float:
-    """Sensitivity of a ball's capacitance to the property `what` of the mineral oil: d log C/d log
-    property. `ball` gives the capacitance of the ball in F, by default the capacitance of its
-    plates."""
+    """Return the sensitivity of a ball's capacitance to the property `what` of the mineral oil.
+
+    The sensitivity is d log C/d log property. `ball` returns the capacitance of the ball in F for
+    an oil; by default, this is the capacitance of its plates.
+    """
     oil, step, of = book.oils["mineral"], 1.01, ball or _plates(book)
     more, less = (
         of(oil._replace(**{what: getattr(oil, what) * factor})) for factor in (step, 1 / step)
@@ -108,8 +110,11 @@ def power(book: Book, what: str, ball: Callable[[Oil], float] | None = None) -> 
 def oils_ratio(
     book: Book, first: str, second: str, ball: Callable[[Oil], float] | None = None
 ) -> tuple[float, float]:
-    """(least, greatest) ratio of the capacitances of a ball on the load line with the two oils,
-    over all corners of the oils' ranges; `ball` as in `power`."""
+    """Return the (smallest, largest) ratio of the capacitances of a ball on the load line with the
+    two oils.
+
+    All corners of the ranges of the oils are considered; `ball` has the same meaning as in `power`.
+    """
     ends, of = ranges(book), ball or _plates(book)
 
     def corners(name):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Verdicts on the paper's statements (statements.yaml) from numbers (`quantities`)."""
+"""Verdicts on the statements of the paper (statements.yaml), based on values from `quantities`."""
 
 import re
 from collections.abc import Mapping
@@ -24,13 +24,13 @@ class Statement(NamedTuple):
     rules: tuple[str, ...]
     show: tuple[str, ...]
     why: str
-    whole: Mapping[str, Any] = MappingProxyType({})  # with the total capacitance: other rules, show
+    whole: Mapping[str, Any] = MappingProxyType({})  # rules and show for the total capacitance
     found: tuple[str, str, str] = (UNKNOWN, SAME, SAME)  # corrected, printed, whole in `Judged`
 
 
 class Judged(NamedTuple):
-    """A statement with its verdicts: from the corrected formulas, from the printed formulas, and
-    with the total capacitance."""
+    """A statement with its verdicts for the corrected formulas, for the printed formulas, and for
+    the total capacitance."""
 
     where: str
     says: str
@@ -45,7 +45,7 @@ class Judged(NamedTuple):
 
 
 def read() -> list[Statement]:
-    """The `Statement`s, in the order of the paper."""
+    """Return the `Statement`s in the order of the paper."""
     text = resources.files("raceway.paper").joinpath("statements.yaml").read_text(encoding="utf-8")
     return [
         Statement(
@@ -68,10 +68,11 @@ def _found(verdicts):
 
 
 def holds(rule: str, numbers: Mapping[str, float]) -> bool:
-    """True if a rule, "name > number or name" or "name = number or name within tolerance", holds
-    for {name: value}.
+    """Return True if a rule is satisfied for {name: value}.
 
-    Raises `ValueError` for a rule of another form and `KeyError` for an unknown name."""
+    A rule has the form "name > number or name" or "name = number or name within tolerance". Raise
+    `ValueError` for any other form and `KeyError` for an unknown name.
+    """
     match = RULE.match(rule)
     if not match or (match[2] == "=") != bool(match[4]):
         raise ValueError(f"not a rule: {rule!r}")
@@ -83,7 +84,7 @@ def holds(rule: str, numbers: Mapping[str, float]) -> bool:
 
 
 def names(rule: str) -> tuple[str, ...]:
-    """The quantities that a rule uses."""
+    """Return the names of the quantities that a rule uses."""
     name, _, other, _ = RULE.match(rule).groups()
     return (name,) if _is_number(other) else (name, other)
 
@@ -94,10 +95,11 @@ def judge(
     printed: Mapping[str, Quantity],
     whole: Mapping[str, Quantity] = MappingProxyType({}),
 ) -> Judged:
-    """`Judged` of a statement, from {name: `Quantity`} by the corrected formulas, by the printed
-    formulas, and with the total capacitance (only quantities that differ from `corrected`).
+    """Judge a statement and return the result.
 
-    `statement.whole` has the rules and numbers for the total capacitance where they differ.
+    The arguments are {name: `Quantity`} for the corrected formulas, for the printed formulas, and
+    for the total capacitance; the latter contains only quantities that differ from `corrected`.
+    `statement.whole` contains the rules and quantities for the total capacitance if they differ.
     """
     words = {name: quantity.text for name, quantity in {**whole, **corrected}.items()}
     first, shown = _verdict(statement, corrected)
@@ -126,7 +128,8 @@ def judge(
 
 
 def _other(statement, corrected, others):
-    """Verdict and numbers if `others` replace some of the quantities that `statement` uses."""
+    """Return the verdict and the values if `others` replace some of the quantities that `statement`
+    uses, and otherwise (`SAME`, "")."""
     used = {name for rule in statement.rules for name in names(rule)} | set(statement.show)
     if used & set(others):
         return _verdict(statement, {**corrected, **others})
@@ -157,11 +160,11 @@ def _is_number(text):
 
 
 def markup(text: str) -> str:
-    """Text with $formulas$ as reStructuredText."""
+    """Convert text with $formulas$ to reStructuredText."""
     text = re.sub(r"([*|`])", r"\\\1", text)
     return re.sub(r"\$([^$]+)\$", r":math:`\1`", text)
 
 
 def plain(text: Any) -> Any:
-    """Text without the marks of $formulas$."""
+    """Return the text without the markup of $formulas$."""
     return re.sub(r"[${}]", "", text) if isinstance(text, str) else text

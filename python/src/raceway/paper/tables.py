@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The tables: each is a function of a `Book` that returns a DataFrame."""
+"""The tables of the paper. Each is a function that takes a `Book` and returns a DataFrame."""
 
 import pandas as pd
 
@@ -13,20 +13,20 @@ GROOVES = {0.08: 6.804e-3, 0.10: 6.93e-3, 0.12: 7.056e-3, 0.14: 7.182e-3}  # tab
 
 
 def oils(book: Book) -> pd.DataFrame:
-    """Table 2 is lost: the oils used instead, and their plausible range."""
+    """Table 2, which is lost: the oils used instead, and their plausible ranges."""
     rows = []
     for name, oil in book.oils.items():
         low, high = zip(*sensitivity.ranges(book)[name].values())
         rows += [
             (OILS[name], "as used", *oil),
-            (OILS[name], "low end of the plausible", *low),
+            (OILS[name], "low end of the plausible range", *low),
             (OILS[name], "high end", *high),
         ]
     return pd.DataFrame(rows, columns=["oil", "values", *sensitivity.COLUMN.values()])
 
 
 def load_parameters(book: Book) -> pd.DataFrame:
-    """Table 3: clearance and load parameter: paper, simulation, theory, printed formulas."""
+    """Table 3: clearance and load parameter from paper, simulation, theory, printed formulas."""
     rows = []
     for run, printed in zip(
         book.readings.all("clearances"), book.readings.all("clearances_printed")
@@ -57,7 +57,7 @@ def load_parameters(book: Book) -> pd.DataFrame:
 
 
 def grooves(book: Book) -> pd.DataFrame:
-    """Table A.1: grooves by total curvature, with free contact angle and endplay."""
+    """Table A.1: grooves for each total curvature, with free contact angle and endplay."""
     free, diameter = measured(book), book.bearing.ball_diameter
     free = free[(free["clearance_m"] / diameter - 0.0035).abs() < 1e-9].copy()
     radius = [cases.groove(book.bearing, curvature) for curvature in free["total_curvature"]]

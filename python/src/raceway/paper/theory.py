@@ -2,8 +2,8 @@
 """Theory of a radially loaded bearing with oil: static loads, the film at rolling speed, and the
 capacitance that follows from both.
 
-No run is needed: `raceway.static` gives the loads, `film` and `capacitance` give films and
-capacitances. With `printed`, eqs 2 and 9 are used as printed in the paper (docs/errata.rst).
+No run is needed: `raceway.static` provides the loads, and `film` and `capacitance` provide films
+and capacitances. With `printed`, eqs 2 and 9 are used as printed in the paper (docs/errata.rst).
 """
 
 from functools import lru_cache
@@ -17,14 +17,14 @@ from raceway.theory import capacitance, film, hertz, static
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
 PHASES = (
-    # positions of the first ball between two balls: the mean over a ball pass is accurate to better
-    # than 1e-3
+    # number of positions of the first ball within a ball spacing; the mean over a ball pass is
+    # accurate to better than 1e-3
     20
 )
 
 
 class Contact(NamedTuple):
-    """Loaded contacts of one raceway; arrays of the loads' shape, SI units."""
+    """Loaded contacts of one raceway, as arrays with the shape of the loads, in SI units."""
 
     pressure: Numbers
     area: Numbers
@@ -43,8 +43,10 @@ def contact(
     clearance: float = 0.0,
     printed: bool = False,
 ) -> Contact:
-    """`Contact` for loads in N at an entrainment speed in m/s; unloaded contacts have no film (nan)
-    and no capacitance."""
+    """Return the `Contact` for loads in N at an entrainment speed in m/s.
+
+    Unloaded contacts have no film (nan) and no capacitance.
+    """
     r_x, r_y = bearing.effective_radii(raceway, clearance=clearance)
     ellipse = hertz.hamrock_brewe(r_x, r_y, printed=True) if printed else hertz.exact(r_x, r_y)
     load = np.asarray(load, float)
@@ -80,7 +82,7 @@ def ball(
     clearance: float = 0.0,
     printed: bool = False,
 ) -> Numbers:
-    """Capacitance in F of balls under loads in N, the same on both raceways (eq 12)."""
+    """Return the capacitance in F of balls with the same load in N on both raceways (eq 12)."""
     sides = (
         contact(bearing, oil, side, load, speed, clearance, printed).capacitance
         for side in (INNER, OUTER)
@@ -92,8 +94,11 @@ def ball(
 def loads(
     bearing: Bearing, radial_load: float, clearance: float = 0.0
 ) -> tuple[Floats, Floats, float]:
-    """(psi in degrees and load in N of all balls at `PHASES` positions in a ball pass, mean shift
-    in m along the load). The load acts on both raceways and excludes the centrifugal load."""
+    """Return (psi in degrees, load in N, mean shift in m along the load).
+
+    psi and load are those of all balls at `PHASES` positions within a ball pass. The load acts on
+    both raceways and excludes the centrifugal load.
+    """
     turns = [
         static.equilibrium(
             bearing, radial_load, clearance=clearance, phase=phase, finite_shift=True
@@ -109,7 +114,7 @@ def loads(
 
 
 def largest_load(bearing: Bearing, radial_load: float, clearance: float = 0.0) -> float:
-    """Load in N of a ball on the load line."""
+    """Return the load in N of a ball on the load line."""
     psi, load, _ = loads(bearing, radial_load, clearance)
     return float(load.flat[np.argmin(np.abs(psi))])
 
@@ -122,8 +127,10 @@ def bearing_capacitance(
     clearance: float = 0.0,
     printed: bool = False,
 ) -> float:
-    """Mean of the bearing's capacitance in F over a ball pass (eq 12). `printed` does not change
-    the loads, because without clearance the load distribution stays the same if all stiffnesses
-    change by the same factor."""
+    """Return the capacitance of the bearing in F, averaged over a ball pass (eq 12).
+
+    `printed` does not change the loads, because without clearance the load distribution remains the
+    same if all stiffnesses change by the same factor.
+    """
     _, load, _ = loads(bearing, radial_load, clearance)
     return float(ball(bearing, oil, load, speed, clearance, printed).sum(axis=1).mean())

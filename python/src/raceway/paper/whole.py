@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Total capacitance from statics, with flooded gaps: like `theory`, which includes only the plates,
-but with the gap around the plates and the unloaded balls."""
+"""Total capacitance from statics with flooded gaps.
+
+In contrast to `theory`, which includes only the plates, it also includes the gap around the plates
+and the unloaded balls.
+"""
 
 from functools import lru_cache
 
@@ -17,8 +20,8 @@ PHASES = 6
 
 @lru_cache(maxsize=256)
 def _state(bearing, radial_load, spin, step):
-    """Equilibrium and Q_u with the first ball `step`/`PHASES` of a ball spacing past the load
-    line."""
+    """Return the equilibrium and Q_u for a first ball that is `step`/`PHASES` of a ball spacing
+    past the load line."""
     phase = 2 * np.pi / bearing.balls * step / PHASES
     state, orbit = lubrication.turning(bearing, spin, radial_load, phase=phase)
     return state, capacitors.quiet_load(bearing, orbit)
@@ -31,14 +34,20 @@ def _solved(bearing, oil, radial_load, speed, filling, step=0):
 
 
 def ball(bearing: Bearing, oil: Oil, radial_load: float, speed: float, filling: Filling) -> float:
-    """Capacitance in F of the ball on the load line at an entrainment speed in m/s; load in N."""
+    """Return the capacitance in F of the ball on the load line.
+
+    The radial load is in N and the entrainment speed in m/s.
+    """
     return float(_solved(bearing, oil, radial_load, speed, filling).ball[0])
 
 
 def bearing_capacitance(
     bearing: Bearing, oil: Oil, radial_load: float, speed: float, filling: Filling
 ) -> float:
-    """Mean capacitance in F of the bearing over a ball pass, arguments as in `ball`."""
+    """Return the capacitance in F of the bearing, averaged over a ball pass.
+
+    The arguments are the same as in `ball`.
+    """
     return float(
         np.mean(
             [

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run compared with a recording: their levels, and the lines of their envelopes in orders of the
-shaft."""
+"""Compare a run with a recording: levels, and lines of the envelopes in orders of the shaft
+speed."""
 
 from typing import NamedTuple
 
@@ -13,38 +13,38 @@ from raceway.runs import envelope, sensor, spectrum
 from raceway.runs.run import Run
 from raceway.runs.source import Signal, Source
 
-WITHIN = 0.01  # relative half-width of the search for a line in the recording
+WITHIN = 0.01  # relative half-width of the range searched for a line in the recording
 
 
 class Side(NamedTuple):
-    """A run or a recording."""
+    """One side of a comparison, either a run or a recording."""
 
     title: str
     level: Level
     units: str
-    rate: float  # Hz, of the signal compared
-    spectrum: xr.DataArray  # of the envelope, over orders of the shaft
-    shaft: float  # Hz
+    rate: float  # Hz, sampling rate of the signal that is compared
+    spectrum: xr.DataArray  # spectrum of the envelope against orders of the shaft speed
+    shaft: float  # Hz, shaft speed
 
 
 class Pair(NamedTuple):
-    """A line in the run and in the recording; NaN if it was not found."""
+    """A line in the run and in the recording; values of a line that was not found are NaN."""
 
     name: str
     harmonic: int
-    nominal: float  # order by rolling at the nominal contact angle
-    run: float  # order
-    recording: float
-    run_amplitude: float  # of the envelope
+    nominal: float  # order for rolling at the nominal contact angle
+    run: float  # order in the run
+    recording: float  # order in the recording
+    run_amplitude: float  # amplitude in the spectrum of the envelope
     recording_amplitude: float
 
 
 class Comparison(NamedTuple):
-    """A run, a recording, and the lines of both."""
+    """A run and a recording, and the lines of both."""
 
     run: Side
     recording: Side
-    band: tuple[float, float]  # Hz, of both envelopes
+    band: tuple[float, float]  # Hz, band of both envelopes
     lines: list[Pair]
 
 
@@ -57,11 +57,14 @@ def compare(
     band: tuple[float, float] | None = None,
     harmonics: int = 3,
 ) -> Comparison:
-    """`Comparison` of a column of a `ring` of `run` with a `channel` of a `recording` of the same
-    bearing. A run with a higher sampling rate than the recording is resampled to that rate
-    (`sensor.decimated`). Both envelopes use one `band` (Hz, Hz), by default the recording's most
-    impulsive one. Raises `RunError` as `envelope.of_run` does, and for a band outside the range of
-    the run's signal."""
+    """Return the `Comparison` between a column of a `ring` of `run` and a `channel` of a
+    `recording` of the same bearing.
+
+    A run with a higher sampling rate than the recording is resampled to the rate of the recording
+    (`sensor.decimated`). Both envelopes use the same `band` (Hz, Hz), which is by default the most
+    impulsive band of the recording. Raise `RunError` in the same cases as `envelope.of_run`, and
+    for a band outside the frequency range of the run.
+    """
     heard = recording.signal(channel)
     found = envelope.of_run(recording, channel, band, orders=False)
     chosen = found.attrs["band"]

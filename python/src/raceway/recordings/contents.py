@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contents of a file of measured signals, in SI units, temperatures in degrees C."""
+"""Contents of a file of measured signals in SI units, with temperatures in degrees C."""
 
 import math
 from typing import Any, NamedTuple
@@ -19,23 +19,26 @@ class Channel(NamedTuple):
     """A channel of a file."""
 
     values: Floats  # (N,)
-    rate: float  # Hz, NaN if the file does not state it
+    rate: float  # Hz, sampling rate, or NaN if the file does not state it
     units: str
     meaning: str
 
 
 class Contents(NamedTuple):
-    """Content of a file; NaN for values that the file does not state."""
+    """Contents of a file; values that the file does not state are NaN."""
 
-    kind: str  # of the file
+    kind: str  # kind of file
     channels: dict[str, Channel]
-    rpm: float = math.nan  # of the inner ring, as stated in the file
-    load: float = math.nan  # N, radial
+    rpm: float = math.nan  # speed of the inner ring as stated in the file
+    load: float = math.nan  # N, radial load
 
 
 def channel(path: FilePath, name: str, values: ArrayLike, rate: float, **words: Any) -> Channel:
-    """`Channel` of `values`, a row or a column; `words` are the `scale` into SI `units` and the
-    `meaning`. Raises `RunError` for values that are not finite numbers and for other shapes."""
+    """Return a `Channel` of `values`, which are a row or a column.
+
+    `words` may contain the `scale` that converts the values to SI `units`, and the `meaning`. Raise
+    `RunError` for values that are not finite numbers and for other shapes.
+    """
     try:
         row = np.ravel(np.asarray(values, float)) * words.get("scale", 1.0)
     except (TypeError, ValueError):

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""State of a bearing from readings: clearance, loads, oil temperature and cooling, each with its
-uncertainty, and the combinations of these that the readings cannot separate.
+"""Identify the state of a bearing from readings: clearance, loads, oil temperature and cooling,
+each with its uncertainty, and the combinations of these that the readings cannot separate.
 
 Statics, friction and films are fitted by least squares within the ranges of the unknowns, from
-several starts. A range is the only prior knowledge of an unknown. Different states can have the
-same lines, such as a small clearance under a large thrust and a large clearance under a small
-thrust. Therefore every fit whose deviance (-2 log of the likelihood) is within `CHI` of the best
-fit is kept, and the intervals contain all of these fits. If the readings leave one direction open,
-as a single line does for clearance and thrust, points along this valley are traced, all of which
-explain the readings.
+several starting points. The range is the only prior knowledge of an unknown. Different states can
+have the same lines, such as a small clearance under a large thrust and a large clearance under a
+small thrust. Therefore every fit whose deviance (-2 log of the likelihood) is within `CHI` of the
+best fit is kept, and the intervals contain all of these fits. If the readings leave one direction
+undetermined, as a single line does for clearance and thrust, points along this valley are traced,
+all of which explain the readings.
 """
 
 import math
@@ -24,27 +24,27 @@ from raceway.recordings.prediction import Misfit, Model, misfit
 from raceway.recordings.readings import Readings
 from raceway.theory import kinematics
 
-TRIED = 8  # starting points for each unknown; the best are refined until one explains the readings
-REFINED = 4
-STEP = 1e-4  # step of numerical derivatives, as a fraction of a range
+TRIED = 8  # number of points tried for each unknown
+REFINED = 4  # number of these points, the best ones, from which a fit starts
+STEP = 1e-4  # step size for numerical derivatives, as a fraction of a range
 UNIFORM = 1 / math.sqrt(12)  # standard deviation of a uniform distribution over a range of 1
 OPEN = 0.35  # fraction of UNIFORM above which an unknown or direction counts as not determined
 VALLEY = 7  # number of points traced along a valley
-SAME = 1e-4  # change of the sum of squares below which a fit ends
+SAME = 1e-4  # change of the sum of squares below which a fit stops
 CHI = 3.84  # increase of the deviance at the 95 % limit of one unknown
 TWO_SIDED = 1.96
 DETERMINED = 2 * TWO_SIDED * OPEN * UNIFORM  # widest interval of an unknown that is determined
-FAR = 1e3  # residual of a state that cannot carry the load
-WIDE = 10.0  # ratio of its ends above which a range is searched logarithmically
+FAR = 1e3  # residual assigned to a state that cannot carry the load
+WIDE = 10.0  # ratio of upper to lower limit above which a range is searched logarithmically
 
 
 class Value(NamedTuple):
     """Value of an unknown."""
 
     best: float
-    low: float  # of the 95 % interval, within the range given
+    low: float  # lower limit of the 95 % interval, within the given range
     high: float
-    determined: bool  # determined by the readings; otherwise it lies on the valley
+    determined: bool  # True if the readings determine it; otherwise it varies along the valley
 
 
 class Found(NamedTuple):
@@ -57,19 +57,21 @@ class Found(NamedTuple):
     # states that explain the readings equally well; empty if there is only one point
     valley: list[dict[str, float]]
     idle: int  # largest number of unloaded balls at any point
-    # rad, mean contact angle weighted by load, at the first reading for which statics is solved;
-    # None if only temperatures of the oil were read
+    # rad, load-weighted mean contact angle at the first reading for which statics is solved; None
+    # if only temperatures of the oil were read
     angle: Value | None
-    # cage slip at that reading relative to rolling at that angle; None without a line of the cage
+    # cage slip at that reading relative to rolling at that angle; None if there is no cage line
     slip: Value | None
-    # sum of squares of independent combinations of the residuals: roughly the number of readings
-    # minus the number of determined unknowns, unless a reading or the model is wrong
+    # sum of squares of independent combinations of the residuals, which is roughly the number of
+    # readings minus the number of determined unknowns unless a reading or the model is wrong
     chi: float
 
 
 def identify(readings: Readings) -> Found:
-    """`Found` from `readings`. Raises `NoEquilibrium` if no state within the ranges carries the
-    loads."""
+    """Return the state `Found` from `readings`.
+
+    Raise `NoEquilibrium` if no state within the ranges carries the loads.
+    """
     search = _Search(readings)
     modes = search.modes()
     best, places = modes[0].place, [one for mode in modes for one in mode.places]
@@ -96,22 +98,25 @@ def identify(readings: Readings) -> Found:
 
 
 def _along(names, variances, weak):
-    """Number of the unknown along which the valley is traced: the more uncertain of clearance and
-    thrust if one of them is not determined, otherwise the most uncertain unknown."""
+    """Return the number of the unknown along which the valley is traced.
+
+    It is the more uncertain of clearance and thrust if one of them is not determined, and otherwise
+    the most uncertain unknown.
+    """
     first = [k for k, name in enumerate(names) if weak[k] and name in ("clearance", "axial")]
     return max(first or range(len(names)), key=lambda k: variances[k])
 
 
 class _Mode(NamedTuple):
     """A fit that explains the readings, with its valley if the readings leave one direction
-    open."""
+    undetermined."""
 
     place: Floats
     along: int  # number of the unknown along which the valley is traced
-    places: list[tuple[Floats, Floats]]  # the fit or points of its valley, each with a covariance
+    places: list[tuple[Floats, Floats]]  # the fit or points on its valley, each with a covariance
 
     def adds(self, other: Floats) -> bool:
-        """True if `other` lies outside the 95 % interval of a determined unknown."""
+        """Return True if `other` lies outside the 95 % interval of a determined unknown."""
         middles = np.array([place for place, _ in self.places])
         spans = TWO_SIDED * np.sqrt([np.diag(around) for _, around in self.places])
         low, high = (middles - spans).min(0), (middles + spans).max(0)
@@ -120,14 +125,14 @@ class _Mode(NamedTuple):
 
 
 class _Interval(NamedTuple):
-    """95 % intervals of functions of the place, that is, of the unknowns as fractions."""
+    """95 % intervals of functions of a place, i.e. of the unknowns as fractions of their ranges."""
 
     best: Floats
-    places: list[tuple[Floats, Floats]]  # that explain the readings, each with a covariance
+    places: list[tuple[Floats, Floats]]  # places that explain the readings, with covariances
 
     def of(self, function, own=0.0):
-        """(best, low, high) of `function`, which has a standard deviation `own` in addition to the
-        uncertainty of the place."""
+        """Return (best, low, high) of `function`, which has a standard deviation `own` in addition
+        to the uncertainty of the place."""
         ends = []
         for place, covariance in self.places:
             slope = _gradient(function, place)
@@ -138,13 +143,13 @@ class _Interval(NamedTuple):
 
 
 def _gradient(function, place):
-    """One-sided derivatives of `function`, with steps towards the middle of the ranges."""
+    """Return one-sided derivatives of `function`, with steps towards the middle of the ranges."""
     steps, here = np.where(place > 0.5, -STEP, STEP), function(place)
     return np.array([(function(place + step) - here) / step.sum() for step in np.diag(steps)])
 
 
 def _slip(search, interval, determined):
-    """`Found.slip`."""
+    """Compute `Found.slip`."""
     point = search.readings.readings[search.first].point
     read = [
         (one.value, one.within)
@@ -164,7 +169,7 @@ def _slip(search, interval, determined):
 
 
 def value_of(of: Readings, name: str, share: float) -> float:
-    """The unknown `name` at a `share` of its range, 0 to 1."""
+    """Return the value of the unknown `name` at the fraction `share` of its range, from 0 to 1."""
     low, high = of.unknown[name]
     if low > 0 and high / low >= WIDE:
         return float(low * (high / low) ** share)
@@ -172,7 +177,10 @@ def value_of(of: Readings, name: str, share: float) -> float:
 
 
 def share_of(of: Readings, name: str, value: float) -> float:
-    """The inverse of `value_of`."""
+    """Return the fraction of its range at which the unknown `name` has this `value`.
+
+    This is the inverse of `value_of`.
+    """
     low, high = of.unknown[name]
     if low > 0 and high / low >= WIDE:
         return math.log(value / low) / math.log(high / low)
@@ -180,12 +188,12 @@ def share_of(of: Readings, name: str, value: float) -> float:
 
 
 class _Search:
-    """The unknowns as fractions, 0 to 1, of their ranges."""
+    """Search for the unknowns, expressed as fractions (0 to 1) of their ranges."""
 
     def __init__(self, readings):
         self.readings, self.model = readings, Model(readings)
         self._predicted = {}
-        # number of the first reading that is not just the oil's temperature
+        # number of the first reading that is more than a temperature of the oil
         heats = "conductance" in {*readings.known, *readings.unknown}
         solved = [heats or one.quantity != "temperature" for one in readings.readings]
         self.first = solved.index(True) if any(solved) else None
@@ -204,37 +212,38 @@ class _Search:
         return self._predicted[key]
 
     def lags(self, place):
-        """(readings, 2), least and largest lag of the cage due to pocket play."""
+        """Return the smallest and the largest lag of the cage due to pocket play (readings, 2)."""
         return np.array([one.lag for one in self.predicted(place)])
 
     def misfit(self, place, lags=None) -> Misfit:
-        """`prediction.misfit`, with the lags of the cage at `place` unless `lags` are given."""
+        """Return `prediction.misfit` with the lags of the cage at `place`, or with given `lags`."""
         lags = self.lags(place) if lags is None else lags
         return misfit(self.readings.readings, self.predicted(place), lags)
 
     def residuals(self, place, lags):
-        """(readings,), independent residuals; `FAR` where the state cannot carry the load."""
+        """Return the independent residuals (readings,), or `FAR` if the state cannot carry the
+        load."""
         try:
             return self.misfit(place, lags).independent
         except NoEquilibrium:
             return np.full(len(self.readings.readings), FAR)
 
     def cost(self, place):
-        """Deviance of the fit at `place`."""
+        """Return the deviance of the fit at `place`."""
         try:
             return self.misfit(place).deviance
         except NoEquilibrium:
             return math.inf
 
     def modes(self):
-        """A `_Mode` for every fit that explains the readings as well as the best one, best
-        first."""
+        """Return a `_Mode` for every fit that explains the readings as well as the best one does,
+        with the best one first."""
         size, rigid = len(self.readings.unknown), np.zeros((len(self.readings.readings), 2))
         tried = qmc.Sobol(size, scramble=False).random(1 << math.ceil(math.log2(TRIED * size)))
         sums = [float((self.residuals(one, rigid) ** 2).sum()) for one in tried]
         starts = [one for one in tried[np.argsort(sums)[:REFINED]] if math.isfinite(self.cost(one))]
         if not starts:
-            self.predicted(tried[int(np.argmin(sums))])  # raises with the reason
+            self.predicted(tried[int(np.argmin(sums))])  # raises an error that states the reason
         fits = [self.refine(one, rigid) for one in starts]
         limit = min(map(self.cost, fits)) + CHI
         fits = sorted((self.renew(one, rigid, limit) for one in fits), key=self.cost)
@@ -245,14 +254,16 @@ class _Search:
         return modes
 
     def mode(self, place, limit):
-        """`_Mode` of the fit `place`, with the valley traced as far as the deviance stays below
-        `limit`."""
+        """Return the `_Mode` of the fit `place`.
+
+        Its valley is traced as far as the deviance stays below `limit`.
+        """
         around = self.covariance(place)
         weak = np.sqrt(np.diag(around)) > OPEN * UNIFORM
         along = _along([*self.readings.unknown], np.diag(around), weak)
         places = [(place, around)]
         if weak.any():
-            # the points give the uncertainty along the valley, the covariance only across it
+            # The points give the uncertainty along the valley, the covariance only that across it.
             places = [
                 (one, self.covariance(one, weakest=False))
                 for one in self.valley(place, along, limit)
@@ -260,8 +271,10 @@ class _Search:
         return _Mode(place, along, places)
 
     def renew(self, place, lags, limit, fixed=None):
-        """The fit `place`, repeated with the lags of the cage at `place` if it was made with
-        different `lags` and its deviance can be below `limit`."""
+        """Return the fit `place`, repeated if necessary with the lags of the cage at `place`.
+
+        It is repeated if it was made with different `lags` and its deviance can be below `limit`.
+        """
         if not math.isfinite(self.cost(place)):
             return place
         own = self.lags(place)
@@ -270,14 +283,16 @@ class _Search:
         return self.refine(place, own, fixed)
 
     def refine(self, start, lags, fixed=None):
-        """Least-squares fit from `start` with the given `lags` of the cage; the unknown with the
-        number `fixed` is held."""
+        """Return the least-squares fit from `start` with the given `lags` of the cage.
+
+        The unknown with the number `fixed` is not varied.
+        """
         free = np.array([k != fixed for k in range(len(start))])
 
         def rest(x):
             place = np.array(start)
             place[free] = x
-            # with this 1, `ftol` limits the change of the sum of squares, not its relative change
+            # Due to this 1, `ftol` limits the absolute change of the sum of squares.
             return np.append(self.residuals(place, lags), 1.0)
 
         place = np.array(start)
@@ -289,15 +304,16 @@ class _Search:
         return place
 
     def angle(self, place):
-        """Contact angle at the `first` reading, rad."""
+        """Return the contact angle at the `first` reading in rad."""
         return self.predicted(place)[self.first].angle
 
     def kinematic(self, place):
-        """FTF in orders of the shaft at the contact angle of the `first` reading, without slip."""
+        """Return FTF in orders of the shaft speed, without slip, at the contact angle of the
+        `first` reading."""
         return float(kinematics.frequencies(self.model.bearing, self.angle(place)).cage)
 
     def cage(self, reading):
-        """FTF from the reading of a line of the cage; None for other readings."""
+        """Return FTF computed from a reading of a cage line, or None for other readings."""
         balls = self.model.bearing.balls
         order = {
             "FTF": reading.value,
@@ -310,20 +326,21 @@ class _Search:
         return reading._replace(value=order, within=reading.within / share)
 
     def slopes(self, place):
-        """(readings, unknowns) derivatives of the independent residuals."""
+        """Return the derivatives (readings, unknowns) of the independent residuals."""
         lags = self.lags(place)
         return np.transpose(_gradient(lambda one: self.residuals(one, lags), place))
 
     def covariance(self, place, weakest=True):
-        """Covariance (unknowns, unknowns) at `place`, with the ranges as prior knowledge; with or
-        without the `weakest` direction."""
+        """Return the covariance (unknowns, unknowns) at `place`, with the ranges as prior
+        knowledge, and with or without the `weakest` direction."""
         slopes = self.slopes(place)
         values, vectors = np.linalg.eigh(slopes.T @ slopes + np.eye(len(place)) / UNIFORM**2)
         kept = vectors[:, 0 if weakest else 1 :] / np.sqrt(values[0 if weakest else 1 :])
         return kept @ kept.T
 
     def valley(self, best, along, limit):
-        """Places along the unknown with the number `along` whose deviance stays below `limit`."""
+        """Return places along the unknown with the number `along` at which the deviance stays below
+        `limit`."""
         side, places = np.linspace(0, 1, VALLEY), [best]
         near = int(np.argmin(np.abs(side - best[along])))
         for way in (range(near, len(side)), range(near - 1, -1, -1)):
@@ -338,15 +355,15 @@ class _Search:
         return sorted(places, key=lambda one: one[along])
 
     def along(self, place, along, share, limit):
-        """The best place near `place` at which the unknown with the number `along` is at
+        """Return the best place near `place` at which the unknown with the number `along` is at
         `share`."""
         start, lags = np.array(place), self.lags(place)
         start[along] = share
         return self.renew(self.refine(start, lags, along), lags, limit, along)
 
     def end(self, inside, outside, along, limit):
-        """[a place between `inside`, below the limit, and `outside`, above it, where the deviance
-        reaches the limit]"""
+        """Return a list with the place at which the deviance reaches the limit, between `inside`
+        (below the limit) and `outside` (above it). The list is empty if there is no such place."""
         low, high = self.cost(inside), self.cost(outside)
         if not math.isfinite(high):
             return []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Lines of a bearing in hertz, as a table: the file of `raceway identify --lines`."""
+"""Reader for a table of bearing lines in hertz, i.e. the file of `raceway identify --lines`."""
 
 from pathlib import Path
 
@@ -30,13 +30,15 @@ def read(
     within: float = WITHIN,
     inputs_folder: FilePath | None = None,
 ) -> Readings:
-    """The csv file at `path`: a row for each recording, with `speed_Hz` of the shaft, any of
-    `bpfo_Hz`, `bpfi_Hz`, `bsf_Hz` (rotations of a ball relative to the cage) and `ftf_Hz`, and
-    optionally the radial load `load_N` and the oil's `temperature_C`. Empty cells are skipped.
+    """Read the CSV file at `path` and return its `Readings`.
+
+    The file has a row for each recording, with the shaft speed `speed_Hz`, any of `bpfo_Hz`,
+    `bpfi_Hz`, `bsf_Hz` (rotations of a ball relative to the cage) and `ftf_Hz`, and optionally the
+    radial load `load_N` and the oil temperature `temperature_C`. Empty cells are skipped.
 
     `within` is the relative standard deviation of a line. The unknowns are thrust, clearance unless
     the bearing has a contact angle, and load (N) and oil temperature (C) unless they are given.
-    Raises `RacewayError`.
+    Raise `RacewayError` if the file cannot be used.
     """
     if models not in STATICS:
         raise ReadingsError(f"models '{models}' is not one of {', '.join(STATICS)}")
@@ -86,7 +88,7 @@ def _row(row, within):
 
 
 def _ranges(path: Path):
-    """Ranges of the unknowns of a bearing."""
+    """Return the ranges of the unknowns of a bearing."""
     maker = inputs.boundary(path)
     static = maker.static_rating if maker else 1e4
     ranges = {
@@ -100,9 +102,11 @@ def _ranges(path: Path):
 
 
 def _clearances(path):
-    """Range of the clearance, m: from an interference as large as the greatest normal clearance to
-    the greatest clearance of all classes; for bores outside the classes, in proportion to the
-    ball."""
+    """Return the range of the clearance in m.
+
+    It extends from an interference as large as the largest normal clearance to the largest
+    clearance of all classes. For bores without classes, it is proportional to the ball diameter.
+    """
     try:
         classes = clearance_classes.of_bore(inputs.numbers(path, "bore_diameter")["bore_diameter"])
     except (ValueError, InputError):

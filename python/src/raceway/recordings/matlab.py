@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""MATLAB files of Case Western Reserve University (and of `raceway dataset`), the Machinery Failure
-Prevention Technology society and Paderborn University.
+"""Reader for MATLAB files of Case Western Reserve University (and of `raceway dataset`), the
+Machinery Failure Prevention Technology society and Paderborn University.
 
-Each kind is recognised by its variables. Accelerations in g are converted to m/s^2, loads in pounds
-to N.
+Each kind of file is recognised by its variables. Accelerations in g are converted to m/s^2, and
+loads in pounds to N.
 """
 
 import math
@@ -21,12 +21,14 @@ from raceway.recordings.contents import GRAVITY, POUND, Channel, Contents, chann
 CWRU = re.compile(r"X(\d+)_(DE|FE|BA)_time")
 PADERBORN = re.compile(r"N(\d\d)_M(\d\d)_F(\d\d)_")  # units: 100 rpm, 0.1 N m, 100 N
 AT = {"DE": "drive end", "FE": "fan end", "BA": "base"}
-SHOWN = 8  # variables that a message lists
+SHOWN = 8  # number of variables listed in a message
 
 
 def read(path: Path) -> Contents:
-    """`Contents` of a .mat file. Raises `RunError` for a damaged file and for a file with unknown
-    variables."""
+    """Return the `Contents` of a .mat file.
+
+    Raise `RunError` if the file is damaged or has only unknown variables.
+    """
     try:
         found = io.loadmat(path, simplify_cells=True)
     except (ValueError, TypeError, KeyError, NotImplementedError, io.matlab.MatReadError) as error:
@@ -43,8 +45,8 @@ def read(path: Path) -> Contents:
             return _paderborn(path, value)
     names = ", ".join([*data][:SHOWN]) or "nothing"
     raise RunError(
-        f"{path} has {names}: known are X..._DE_time (CWRU), bearing.gs (MFPT), and a structure"
-        " of X and Y (Paderborn); write others as csv"
+        f"{path} has {names}: only X..._DE_time (CWRU), bearing.gs (MFPT) and a structure of X and"
+        " Y (Paderborn) can be read; convert other files to csv"
     )
 
 
@@ -53,8 +55,11 @@ def _has(value, *names):
 
 
 def _cwru(path, data):
-    """Channels of the record whose number is the name of the file, otherwise of the first record
-    with a drive end; a few files have two records."""
+    """Return the contents of one record, because a few files have two records.
+
+    It is the record whose number is the name of the file or, if there is none, the record with the
+    lowest number.
+    """
     numbers = sorted({m[1] for m in map(CWRU.fullmatch, data) if m}, key=int)
     stem = path.stem.lstrip("0")
     number = next((one for one in numbers if one.lstrip("0") == stem), numbers[0])
@@ -86,7 +91,8 @@ def _mfpt(path, data: Mapping[str, Any]):
 
 
 def _paderborn(path, data: Mapping[str, Any]):
-    """Channels by name; rates follow from the time base of the raster, or from the length."""
+    """Return the contents with all channels. Their rates follow from the time base that has the
+    same raster or, if there is none, the same length."""
     bases = [one for one in _list(data["X"]) if _has(one, "Data")]
     found: dict[str, Channel] = {}
     for one in _list(data["Y"]):
@@ -102,7 +108,7 @@ def _paderborn(path, data: Mapping[str, Any]):
         found[name] = channel(path, name, one["Data"], rate, **words)
     if not found:
         raise RunError(f"{path}: Y has no channel with Name and Data")
-    # the signal of the bearing first
+    # The vibration of the bearing is the first channel.
     found = dict(sorted(found.items(), key=lambda item: item[0] != "vibration_1"))
     told = PADERBORN.match(path.name)
     rpm = 100.0 * int(told[1]) if told else math.nan

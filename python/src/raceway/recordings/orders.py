@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Orders of a bearing's lines in a recording, and the contact angle that each implies."""
+"""Orders of the lines of a bearing in a recording, and the contact angles that they imply."""
 
 import math
 from collections.abc import Mapping
@@ -16,37 +16,42 @@ from raceway.theory.bearing import Bearing
 
 LINES = ("FTF", "BPFO", "BPFI", "BSF")
 WITHIN = 0.01  # relative half-width of the range in which a line is searched for
-SAME = 5e-4  # relative difference of the orders of harmonics of one line
+SAME = 5e-4  # relative difference within which harmonics belong to the same line
 
 
 class Order(NamedTuple):
-    """Order of a line, a multiple of the shaft's speed."""
+    """Order of a line, i.e. a multiple of the shaft speed."""
 
     value: float
-    uncertainty: float  # one standard deviation, including the uncertainty of the shaft's speed
-    harmonics: int  # number of harmonics found
+    uncertainty: float  # one standard deviation, including the uncertainty of the shaft speed
+    harmonics: int  # number of harmonics that were found
 
 
 class Angle(NamedTuple):
     """Contact angle of balls that roll without slip."""
 
     value: float  # rad; 0 if the line is explained by slip
-    low: float  # rad, two standard deviations below
+    low: float  # rad, two standard deviations below the value
     high: float
-    slip: float  # share of the cage's speed that explains the line at contact angle 0
+    slip: float  # cage slip, as a fraction of the cage speed, that explains the line at angle 0
 
 
 def of_recording(
     recording: Recording, channel: str = "", band: tuple[float, float] | None = None
 ) -> dict[str, Order]:
-    """`Order` of each line found in the envelope of a `channel`, in a `band` (Hz, Hz) as in
-    `envelope.of_run`."""
+    """Return the `Order` of each line found in the envelope of a `channel`.
+
+    The `band` (Hz, Hz) of the envelope has the same meaning as in `envelope.of_run`.
+    """
     return of_spectrum(recording, envelope.of_run(recording, channel, band, orders=False))
 
 
 def of_spectrum(recording: Recording, found_in: xr.DataArray) -> dict[str, Order]:
-    """`Order` of each line of `LINES` with its harmonics in a spectrum (`spectrum.spectrum`) of a
-    signal of the `recording`. Harmonics that disagree with the strongest one are ignored."""
+    """Return the `Order` of each line of `LINES` that is found in a spectrum of the `recording`.
+
+    `found_in` is the `spectrum.spectrum` of a signal. The order of a line is computed from all its
+    harmonics except those that disagree with the strongest one.
+    """
     shaft, resolution = recording.rpm / 60, found_in.attrs["resolution"]
     relative = recording.speed.uncertainty / shaft if recording.speed else 0.0
     found: dict[str, Order] = {}
@@ -68,8 +73,8 @@ def of_spectrum(recording: Recording, found_in: xr.DataArray) -> dict[str, Order
 
 
 def angle(bearing: Bearing, name: str, order: float, uncertainty: float = 0.0) -> Angle:
-    """`Angle` at which the line `name` of `LINES` has this `order`, with the outer ring at rest.
-    Raises `ValueError` for another name or an order that no angle gives.
+    """Return the `Angle` at which the line `name` of `LINES` has this `order` if the outer ring is
+    at rest. Raise `ValueError` for any other name and for an order that no angle explains.
 
     >>> b = Bearing(9, 7.94e-3, 15.55e-3, 23.49e-3, 4.0891e-3, 4.1685e-3)
     >>> lines = ("BPFO", 3.5972), ("BPFI", 5.4018)
@@ -78,7 +83,7 @@ def angle(bearing: Bearing, name: str, order: float, uncertainty: float = 0.0) -
     """
     cosines = [_cosine(bearing, name, order + k * uncertainty) for k in (0.0, -2.0, 2.0)]
     if not 0 <= cosines[0] < 2:
-        raise ValueError(f"{name} = {order:g} orders belongs to no contact angle of this bearing")
+        raise ValueError(f"{name} = {order:g} orders matches no contact angle of this bearing")
     found = [math.acos(min(max(one, 0.0), 1.0)) for one in cosines]
     nominal = kinematics.frequencies(bearing)
     cage = float(nominal.cage)
@@ -102,7 +107,7 @@ def _cosine(bearing, name, order):
 
 
 def words(bearing: Bearing, found: Mapping[str, Order]) -> str:
-    """The orders of lines and their contact angles as text, one line for each."""
+    """Return the orders of lines and their contact angles as text, with one row for each."""
     rows = [f"  {'line':<8}{'order':>10}{'+-':>10}{'angle':>10}{'from':>8}{'to':>8}"]
     for name, one in found.items():
         at = angle(bearing, name, one.value, one.uncertainty)

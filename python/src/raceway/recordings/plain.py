@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files of plain columns: csv (including the files of the PRONOSTIA rig, FEMTO), wav, and npz as
-distributed for CWRU's recordings."""
+"""Readers for files of plain columns: CSV (including the files of the PRONOSTIA rig, FEMTO), WAV,
+and NPZ as distributed for the CWRU recordings."""
 
 import math
 import re
@@ -24,8 +24,11 @@ EVEN = 1e-3  # largest variation of the time steps in a column, relative to thei
 
 
 def read_csv(path: Path) -> Contents:
-    """`Contents` of a csv file, with or without a heading; a first column named time, time_s, t or
-    seconds gives the rate. Raises `RunError`."""
+    """Return the `Contents` of a CSV file with or without a header line.
+
+    A first column with a name such as time, time_s, t or seconds gives the sampling rate. Raise
+    `RunError` if the file cannot be read.
+    """
     if told := FEMTO.fullmatch(path.name):
         return _femto(path, told[1])
     table = _table(path, None)
@@ -39,13 +42,13 @@ def read_csv(path: Path) -> Contents:
         rate = _rate(path, table[names[0]].to_numpy())
         names = names[1:]
     if not names:
-        raise RunError(f"{path} has a column of times and no signal")
+        raise RunError(f"{path} has a column of times but no signal")
     found = {name: channel(path, name, table[name], rate, **_unit(name)) for name in names}
     return Contents("csv", found)
 
 
 def _unit(name):
-    """Unit at the end of a column's name, in the form that raceway itself writes."""
+    """Return the unit at the end of a column name, in the form that raceway itself writes."""
     for end, units in (("_m_s2", "m/s^2"), ("_g", "g")):
         if name.endswith(end):
             scale = GRAVITY if units == "g" else 1.0
@@ -54,8 +57,11 @@ def _unit(name):
 
 
 def _femto(path, kind):
-    """Columns are hour, minute, second and fractions of a second, then accelerations in g or a
-    temperature."""
+    """Return the contents of a FEMTO file.
+
+    Its columns are hour, minute, second and fractions of a second, followed by accelerations in g
+    or a temperature.
+    """
     table = _table(path, None)
     if table.shape[1] != {"acc": 6, "temp": 5}[kind]:
         raise RunError(f"{path} has {table.shape[1]} columns, unlike the {kind} files of PRONOSTIA")
@@ -85,14 +91,14 @@ def _table(path, header):
 
 
 def _separator(path):
-    """Separator of the first line with data: a semicolon, a comma, a tab or blanks."""
+    """Return the separator of the first line with data: a semicolon, a comma, a tab or blanks."""
     with path.open(encoding="utf-8") as lines:
         first = next((line for line in lines if line.partition("#")[0].strip()), "")
     return next((mark for mark in (";", ",", "\t") if mark in first), r"\s+")
 
 
 def _commas(path):
-    """True if numbers have decimal commas, that is, if the last line has a comma and no point."""
+    """Return True if numbers have decimal commas, i.e. if the last line has commas but no point."""
     last = path.read_text(encoding="utf-8").rstrip().rpartition("\n")[2]
     return "," in last and "." not in last
 
@@ -103,15 +109,18 @@ def _rate(path, time):
     except ValueError:
         raise RunError(f"{path}: its times are not numbers") from None
     if len(step) < 2 or not step.mean() > 0 or np.ptp(step) > EVEN * len(step) * step.mean():
-        raise RunError(f"{path}: its times do not rise in even steps")
+        raise RunError(f"{path}: its times do not increase in equal steps")
     return 1 / step.mean()
 
 
 def read_wav(path: Path) -> Contents:
-    """`Contents` of a wav file; integers are divided by their largest value. Raises `RunError`."""
+    """Return the `Contents` of a WAV file; integers are divided by their largest value.
+
+    Raise `RunError` if the file cannot be read.
+    """
     try:
         with warnings.catch_warnings():
-            # chunks that the reader ignores
+            # warnings about chunks that the reader ignores
             warnings.simplefilter("ignore", wavfile.WavFileWarning)
             rate, values = wavfile.read(path)
     except (ValueError, OSError) as error:
@@ -129,8 +138,11 @@ def read_wav(path: Path) -> Contents:
 
 
 def read_npz(path: Path) -> Contents:
-    """`Contents` of an npz file, with one channel for each array. Files of CWRU have DE, FE and BA
-    in g, and speed and rate in the file name. Raises `RunError`."""
+    """Return the `Contents` of an NPZ file with one channel for each array.
+
+    CWRU files contain DE, FE and BA in g, and their names state speed and rate. Raise `RunError` if
+    the file cannot be read.
+    """
     try:
         with np.load(path) as file:
             data = {name: file[name] for name in file.files}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Readings predicted by statics from the state of a bearing."""
+"""Prediction of readings from the state of a bearing by means of statics."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -18,17 +18,17 @@ NO_LAG = 0.0, 0.0
 
 
 class Predicted(NamedTuple):
-    """A reading as predicted."""
+    """A predicted reading."""
 
     value: float
     error: float  # standard deviation of the model, in the unit of the reading
-    lag: tuple[float, float]  # least and largest slip by pocket play, fractions of the cage's speed
-    idle: int  # unloaded balls
-    angle: float  # rad, mean contact angle weighted by load; NaN where it is not needed
+    lag: tuple[float, float]  # smallest and largest slip due to pocket play, relative to cage speed
+    idle: int  # number of unloaded balls
+    angle: float  # rad, load-weighted mean contact angle; NaN where it is not needed
 
 
 class Model:
-    """Predictions for `readings`. A point is solved once for all its readings."""
+    """Predicts `readings`. Each operating point is solved once for all its readings."""
 
     def __init__(self, readings: Readings) -> None:
         self.readings = readings
@@ -42,14 +42,17 @@ class Model:
     def predict(
         self, state: Mapping[str, float], rows: Sequence[Reading] | None = None
     ) -> list[Predicted]:
-        """`Predicted` of each reading, or of the readings `rows`, in a `state`, {name of
-        `readings.STATE`: value}. Raises `NoEquilibrium` if the bearing cannot carry the load."""
+        """Return the `Predicted` value of each reading, or of the readings `rows`, in a `state`.
+
+        The state maps names of `readings.STATE` to values. Raise `NoEquilibrium` if the bearing
+        cannot carry the load.
+        """
         solved: dict[Point, tuple] = {}
         rows = self.readings.readings if rows is None else rows
         return [self._one(one, state, solved) for one in rows]
 
     def _oil(self, point, state):
-        """Oil temperature in C; NaN if the oil temperature itself is the reading."""
+        """Return the oil temperature in C, or NaN if the oil temperature itself is the reading."""
         return point.at if point.at is not None else state.get("temperature", math.nan)
 
     def _one(self, reading: Reading, state, solved) -> Predicted:
@@ -57,7 +60,7 @@ class Model:
         oil = self._oil(point, state)
         if reading.quantity == "temperature" and "conductance" not in state:
             return Predicted(oil, 0.0, NO_LAG, 0, math.nan)
-        if math.isnan(oil):  # friction at the measured temperature
+        if math.isnan(oil):  # use the friction at the measured temperature
             oil = reading.value
         key = point._replace(at=oil)
         if key not in solved:
@@ -115,27 +118,27 @@ def _contact_angle(state):
 
 
 class Misfit(NamedTuple):
-    """Predicted minus measured values."""
+    """Differences between predicted and measured values."""
 
     off: Floats  # (N,), differences in the units of the readings
-    covariance: Floats  # (N, N), of the errors of readings and model together
+    covariance: Floats  # (N, N), covariance of the combined errors of readings and model
     within: Floats  # (N,), standard deviations of the readings alone
 
     @property
     def relative(self) -> Floats:
-        """(N,), differences divided by their standard deviations."""
+        """Differences (N,) divided by their standard deviations."""
         return self.off / np.sqrt(np.diag(self.covariance))
 
     @property
     def independent(self) -> Floats:
-        """(N,), combinations of the differences that are independent and have a standard deviation
+        """Combinations (N,) of the differences that are independent and have a standard deviation
         of 1."""
         return np.linalg.solve(np.linalg.cholesky(self.covariance), self.off)
 
     @property
     def width(self) -> float:
-        """Deviance of a perfect fit: a state that predicts wide ranges is less likely than a state
-        that fits as well with narrow ranges."""
+        """Deviance of a perfect fit. It makes a state that predicts wide ranges less likely than a
+        state that fits equally well with narrow ranges."""
         scaled = self.covariance / np.outer(self.within, self.within)
         return float(np.linalg.slogdet(scaled)[1])
 
@@ -146,12 +149,14 @@ class Misfit(NamedTuple):
 
 
 def misfit(rows: Sequence[Reading], found: Sequence[Predicted], lags: Floats) -> Misfit:
-    """`Misfit` of the predictions `found` of readings `rows`. `lags` (N, 2) is the least and the
-    largest lag of the cage for each reading: the mean of both is subtracted, and the range between
-    them counts as error. The model's error and the lag are common to all lines of the cage at one
-    point."""
+    """Return the `Misfit` between the predictions `found` and the readings `rows`.
+
+    `lags` (N, 2) contains the smallest and the largest lag of the cage for each reading. The mean
+    of both is subtracted, and the range between them counts as an error. The model error and the
+    lag are common to all cage lines at the same operating point.
+    """
     within = np.array([one.within for one in rows])
-    # change of a line per unit relative change of the cage's speed; 0 for other readings
+    # change of a line per relative change of the cage speed; 0 for other readings
     size = np.array([_of_cage(one.quantity) * own.error for one, own in zip(rows, found)])
     size /= cage_speed.ERROR
     spread = np.ptp(lags, axis=1) * math.sqrt(1 / 12)
@@ -163,5 +168,5 @@ def misfit(rows: Sequence[Reading], found: Sequence[Predicted], lags: Floats) ->
 
 
 def _of_cage(quantity):
-    """Sign of the change of a reading with the cage's speed."""
+    """Return the sign with which a reading changes with the cage speed."""
     return {"FTF": 1, "BPFO": 1, "BPFI": -1}.get(quantity, 0)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Readings of a real bearing, and the known part of its state: the file of `raceway identify`."""
+"""Readings of a real bearing and the known part of its state, from the file of `raceway
+identify`."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -14,7 +15,7 @@ from raceway.recordings import orders
 from raceway.recordings.recording import Recording
 from raceway.theory.models import STATICS
 
-# unknowns, with their physically possible ranges and units
+# {unknown: (lowest possible value, highest possible value, unit)}
 STATE = {
     "clearance": (-50e-6, 200e-6, "m"),
     "load": (0.0, 1e6, "N"),
@@ -24,37 +25,38 @@ STATE = {
 }
 DEFAULTS = {"clearance": 0.0, "load": 0.0, "axial": 0.0}
 QUANTITIES = (*orders.LINES, "capacitance", "temperature")
-UNITS = {"capacitance": "F", "temperature": "C"}  # lines are in orders of the shaft
+UNITS = {"capacitance": "F", "temperature": "C"}  # lines are in orders of the shaft speed
 MORE = ("load_more", "axial_more")
 FILE = ("file", "line", "rate", "nominal", "channel")
 
 
 class ReadingsError(RacewayError):
-    """The file of readings cannot be used; the message names the place and the value."""
+    """Raised if a file of readings cannot be used; the message states the position and the
+    value."""
 
 
 class Point(NamedTuple):
-    """Operating point of a reading; None for values of the whole file."""
+    """Operating point of a reading; values that are given for the whole file are None."""
 
     rpm: float
-    load: float | None = None  # N
-    axial: float | None = None
-    load_more: float = 0.0  # N, in addition to the load
-    axial_more: float = 0.0
-    at: float | None = None  # C, of the oil
+    load: float | None = None  # N, radial load
+    axial: float | None = None  # N, axial load
+    load_more: float = 0.0  # N, added to the radial load
+    axial_more: float = 0.0  # N, added to the axial load
+    at: float | None = None  # C, temperature of the oil
 
 
 class Reading(NamedTuple):
-    """A measured number."""
+    """A measured value."""
 
-    quantity: str  # of `QUANTITIES`; lines in orders of the shaft, F, C
-    value: float
-    within: float  # one standard deviation of the number
+    quantity: str  # one of `QUANTITIES`
+    value: float  # in orders of the shaft speed, F or C
+    within: float  # one standard deviation of the value
     point: Point
 
 
 class Readings(NamedTuple):
-    """Content of a file of readings. SI units, temperatures in degrees C."""
+    """Contents of a file of readings in SI units, with temperatures in degrees C."""
 
     bearing: Path
     lubricant: Path
@@ -66,16 +68,19 @@ class Readings(NamedTuple):
 
 
 class Series(NamedTuple):
-    """Readings over time."""
+    """Readings as a function of time."""
 
-    readings: Readings  # the readings of all times, and the known values
-    rows: list[tuple[float, list[Reading]]]  # time in s, readings
-    drift: dict[str, float]  # standard deviation of an unknown after an hour
+    readings: Readings  # readings at all times, and the known values
+    rows: list[tuple[float, list[Reading]]]  # [(time in s, readings)]
+    drift: dict[str, float]  # {unknown: standard deviation of its drift after an hour}
 
 
 def read(path: FilePath, inputs_folder: FilePath | None = None) -> Readings:
-    """The file of readings at `path`; names are looked up as in `catalogue.find`, recordings in
-    the folder of the file. Raises `RacewayError`."""
+    """Read the file of readings at `path`.
+
+    Bearings and lubricants are looked up as in `catalogue.find`, and recordings in the folder of
+    the file. Raise `RacewayError` if the file cannot be used.
+    """
     data = yaml_file.read(path, ReadingsError)
     try:
         return _readings(data, Path(path).parent, inputs_folder)
@@ -130,7 +135,7 @@ def _complete(of: Readings) -> None:
             )
         if one.quantity == "temperature" and not state & {"temperature", "conductance"}:
             raise ValueError(
-                f"reading {k + 1}: a temperature needs a conductance, known or unknown"
+                f"reading {k + 1}: a temperature needs a conductance under known or unknown"
             )
 
 
@@ -156,7 +161,7 @@ def _reading(row: Any, where: str, bearing: Path, folder: Path) -> list[Reading]
 
 
 def _from_file(given, values, where, bearing, folder) -> list[Reading]:
-    """A line of a recording, with its order and uncertainty from the signal."""
+    """Return lines of a recording, with orders and uncertainties that follow from the signal."""
     rate, nominal = (
         _number(given[key], f"{where}: {key}", 1, 1e8) if key in given else None
         for key in ("rate", "nominal")
@@ -174,8 +179,8 @@ def _from_file(given, values, where, bearing, folder) -> list[Reading]:
     wanted = [given["line"]] if "line" in given else list(found)
     if missing := [name for name in wanted if name not in found]:
         raise ValueError(
-            f"{where}: {recording.where} shows no line {missing[0]};"
-            f" it shows {', '.join(found) or 'none'}"
+            f"{where}: {recording.where} has no line {missing[0]};"
+            f" it has {', '.join(found) or 'none'}"
         )
     point = Point(**values | {"rpm": recording.rpm})
     return [Reading(name, found[name].value, found[name].uncertainty, point) for name in wanted]
@@ -183,7 +188,7 @@ def _from_file(given, values, where, bearing, folder) -> list[Reading]:
 
 def _mapping(value: Any, where: str) -> Mapping[str, Any]:
     if not isinstance(value, dict):
-        raise ValueError(f"{where} must be a map of names and values")
+        raise ValueError(f"{where} must be a mapping of names to values")
     return value
 
 
@@ -225,9 +230,13 @@ def _ranges(given):
 
 
 def series(path: FilePath, inputs_folder: FilePath | None = None) -> Series:
-    """The file of a series at `path`. It has the format of `read`, but instead of `readings` it has
-    `series`, a csv file in the same folder; `within`, the standard deviation of each quantity; and
-    `drift`, the standard deviation of each unknown after an hour. Raises `RacewayError`."""
+    """Read the file of a series at `path`.
+
+    It has the same format as in `read`, but instead of `readings` it contains `series`, the name of
+    a CSV file in the same folder; `within`, the standard deviation of each quantity; and `drift`,
+    the standard deviation of each unknown after an hour. Raise `RacewayError` if the file cannot be
+    used.
+    """
     data = yaml_file.read(path, ReadingsError)
     try:
         own = {name: data.pop(name, None) for name in ("series", "within", "drift")}
@@ -250,8 +259,11 @@ def series(path: FilePath, inputs_folder: FilePath | None = None) -> Series:
 
 
 def table(path: FilePath, known: Sequence[str], needed: Sequence[str]) -> pd.DataFrame:
-    """The csv file at `path`: rows of numbers in `known` columns, with at least the `needed` ones;
-    empty cells are NaN. Raises `ReadingsError`."""
+    """Read the CSV file at `path`, which has rows of numbers in `known` columns.
+
+    The `needed` columns must be present; empty cells are NaN. Raise `ReadingsError` if the file
+    cannot be used.
+    """
     try:
         found = pd.read_csv(path)
     except (OSError, ValueError) as error:
@@ -266,7 +278,7 @@ def table(path: FilePath, known: Sequence[str], needed: Sequence[str]) -> pd.Dat
 
 
 def _rows(table, within):
-    """Readings of each row, as maps; empty cells are skipped."""
+    """Return the readings of each row as dicts; empty cells are skipped."""
     found = []
     for row in table.to_dict("records"):
         known = {name: value for name, value in row.items() if value == value}

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A recording of a real bearing as a source of signals, like a run: `spectrum`, `envelope`,
-`time_frequency`, `passages` and their pictures accept either."""
+"""A recording of a real bearing as a source of signals.
+
+Like a run, it can be passed to `spectrum`, `envelope`, `time_frequency` and `passages` and to
+their pictures.
+"""
 
 import math
 from collections.abc import Callable
@@ -30,28 +33,30 @@ READERS: dict[str, Callable[[Path], Contents]] = {
 
 
 def contents(path: FilePath) -> Contents:
-    """`Contents` of the file `path`, whose type follows from its name's ending. Raises `RunError`
-    for a missing or damaged file and for an unknown type."""
+    """Return the `Contents` of the file `path`, whose type is given by the file name extension.
+
+    Raise `RunError` if the file is missing or damaged, or if its type is unknown.
+    """
     path = Path(path)
     if not path.is_file():
         raise RunError(f"there is no file {path}")
     reader = READERS.get(path.suffix.lower())
     if reader is None:
-        raise RunError(f"{path}: a recording ends in {', '.join(READERS)}")
+        raise RunError(f"{path}: the name of a recording must end in {', '.join(READERS)}")
     return reader(path)
 
 
 class Recording:
-    """Signals in the file `path` from a `bearing` with its outer ring at rest.
+    """Signals in the file `path`, recorded at a `bearing` whose outer ring is at rest.
 
-    The speed of the inner ring, `rpm` or `nominal` (both in rpm), and the `rate` in Hz take
-    precedence over the file; `nominal_angle` is the contact angle in rad without load. The true
-    speed is searched for near the nominal speed in the first channel (`shaft_speed.find`); a given
-    `rpm` is used unchanged. Raises `RunError` for a file that cannot be read, and if neither file
-    nor arguments give speed or rate.
+    The speed of the inner ring, `rpm` or `nominal` (both in rpm), and the sampling `rate` in Hz
+    take precedence over the file; `nominal_angle` is the contact angle in rad of the unloaded
+    bearing. The true speed is searched for near the nominal speed in the first channel
+    (`shaft_speed.find`), but a given `rpm` is used unchanged. Raises `RunError` if the file cannot
+    be read, or if neither the file nor the arguments give speed and rate.
 
-    `load` (N, NaN if unknown) is the load in the file, `speed` the `shaft_speed.Speed` found or
-    None; `channels` maps names to `contents.Channel`.
+    `load` is the load stated in the file (N, or NaN if it is unknown), `speed` is the
+    `shaft_speed.Speed` that was found, or None, and `channels` maps names to `contents.Channel`.
     """
 
     def __init__(
@@ -81,13 +86,13 @@ class Recording:
         self.nominal_rpm = found.rpm if given is None else given
         if not self.nominal_rpm > 0:
             raise RunError(
-                f"{path} does not state the speed of the shaft: give --rpm R, the true speed, or"
-                " --nominal R, near which it is searched for"
+                f"{path} does not state the speed of the shaft: give the true speed with --rpm R,"
+                " or with --nominal R a speed near which it is searched for"
             )
 
     @cached_property
     def speed(self) -> shaft_speed.Speed | None:
-        """Speed found in the first channel; None if it is given or leaves no lines."""
+        """Speed found in the first channel; None if it is given or if there are no lines of it."""
         if self._given is not None:
             return None
         first = self.signal(next(iter(self.channels)))
@@ -95,17 +100,17 @@ class Recording:
 
     @property
     def rpm(self) -> float:
-        """Speed of the shaft in rpm: as given, as found, or as stated in the file."""
+        """Speed of the shaft in rpm, as given, as found, or as stated in the file."""
         return 60 * self.speed.hertz if self.speed else self.nominal_rpm
 
     @property
     def geometry(self) -> Bearing:
-        """The bearing."""
+        """The bearing that was recorded."""
         return self._bearing
 
     @property
     def nominal_angle(self) -> float:
-        """Contact angle in rad without load."""
+        """Contact angle in rad of the unloaded bearing."""
         return self._angle
 
     @property
@@ -115,15 +120,17 @@ class Recording:
 
     @property
     def title(self) -> str:
-        """File, bearing, load and speed in one line."""
+        """One-line description with file, bearing, load and speed."""
         known = [] if math.isnan(self.load) else [f"{prefixed(self.load, 'N', 3)} radial"]
         parts = (Path(self.where).name, f"{self._name} ball bearing".strip(), *known)
         return "  ·  ".join((*parts, f"{self.rpm:.5g} rpm"))
 
     def signal(self, name: str = "", ring: str = "") -> Signal:
-        """`Signal` of the channel `name`, by default the first channel. Raises `RunError` for an
-        unknown channel and for a channel with fewer than 32 values. `ring` is for runs and is
-        ignored here."""
+        """Return the `Signal` of the channel `name`, which is the first channel by default.
+
+        `ring` applies only to runs and is ignored. Raise `RunError` for an unknown channel and for
+        a channel with fewer than 32 values.
+        """
         name = name or next(iter(self.channels))
         if name not in self.channels:
             raise RunError(f"{self.where} has no channel {name}; it has {', '.join(self.channels)}")
@@ -137,25 +144,26 @@ class Recording:
         return Signal(one.values, 1 / one.rate, {"units": one.units, "long_name": one.meaning})
 
     def shaft_angle(self, samples: int) -> Floats:
-        """Angle (`samples`,) in rad at the samples of the first channel, at constant speed."""
+        """Return the angle (`samples`,) in rad at the samples of the first channel, assuming a
+        constant speed."""
         first = next(iter(self.channels.values()))
         return self.rpm * math.pi / 30 / first.rate * np.arange(samples)
 
     def shaft_speed(self, samples: int) -> Floats:
-        """Speed (`samples`,) in rad/s, constant."""
+        """Return the speed (`samples`,) in rad/s, which is constant."""
         return np.full(samples, self.rpm * math.pi / 30)
 
 
 class Level(NamedTuple):
-    """Level of a signal, and how impulsive it is."""
+    """Level of a signal, and a measure of how impulsive it is."""
 
-    rms: float  # of the signal without its mean, in the unit of the signal
+    rms: float  # root mean square of the signal without its mean, in the unit of the signal
     peak: float
     kurtosis: float  # 3 for noise
 
 
 def level(signal: Signal) -> Level:
-    """`Level` of a signal. A constant signal has a kurtosis of NaN."""
+    """Return the `Level` of a signal; the kurtosis of a constant signal is NaN."""
     away = signal.values - signal.values.mean()
     square = float(np.mean(away**2))
     kurtosis = float(np.mean(away**4)) / square**2 if square else math.nan

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed of the shaft from its harmonics in a signal and in the signal's envelope.
+"""Estimate the shaft speed from its harmonics in a signal and in the envelope of the signal.
 
-The nominal speed of a motor under load is wrong by up to 1 %, which is ten times the slip of a
-cage. Unbalance, misalignment and a flaw of the inner raceway give lines at whole multiples of the
-true speed. Mains and other machines cause lines, too, so the speed is taken from the largest group
-of consistent multiples.
+The nominal speed of a motor under load is off by up to 1 %, which is ten times the slip of a cage.
+Unbalance, misalignment and a flaw on the inner raceway cause lines at integer multiples of the true
+speed. Mains and other machines cause lines as well, so the speed is determined from the largest
+group of consistent multiples.
 """
 
 from typing import NamedTuple
@@ -16,21 +16,23 @@ from raceway.arrays import Floats
 from raceway.runs import envelope, spectrum
 
 HARMONICS = 6
-AGREE = 0.04  # largest difference between two lines of one shaft, in units of the resolution
+AGREE = 0.04  # largest difference between two lines of the same shaft, in units of the resolution
 FINE = 0.02  # uncertainty of the frequency of a line in noise, in units of the resolution
 
 
 class Speed(NamedTuple):
-    """Speed found in a signal."""
+    """Shaft speed found in a signal."""
 
     hertz: float
     uncertainty: float  # Hz, one standard deviation
-    harmonics: int  # lines that agree
+    harmonics: int  # number of lines that agree
 
 
 def find(values: ArrayLike, sample_s: float, nominal: float, within: float = 0.015) -> Speed | None:
-    """`Speed` of the shaft in evenly sampled `values` (N,), `sample_s` apart, at most `within`
-    (relative) from the `nominal` speed in Hz; None if fewer than two harmonics agree.
+    """Return the `Speed` of the shaft found in evenly sampled `values` (N,), or None.
+
+    The samples are `sample_s` apart. The speed is searched for within a relative distance `within`
+    of the `nominal` speed in Hz. The result is None if fewer than two harmonics agree.
 
     >>> time = np.arange(120000) / 12000
     >>> tone = sum(np.sin(2 * np.pi * n * 29.53 * time + n) / n for n in (1, 2, 3))
@@ -56,8 +58,8 @@ def find(values: ArrayLike, sample_s: float, nominal: float, within: float = 0.0
 
 
 def _lines(values, sample_s, nominal, within) -> tuple[Floats, Floats]:
-    """Shaft speeds (N,) in Hz from the harmonics found in the signal and its envelope, and the
-    widths (N,) in Hz within which two of them count as equal."""
+    """Return the shaft speeds (N,) in Hz that follow from the harmonics found in the signal and its
+    envelope, and the widths (N,) in Hz within which two of them count as equal."""
     spectra = [spectrum.spectrum(values, sample_s)]
     try:
         band = envelope.best_band(values, sample_s, 8 * nominal)

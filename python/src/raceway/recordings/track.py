@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""State of a bearing over hours: an unscented Kalman filter over a series of readings.
+"""Track the state of a bearing over hours with an unscented Kalman filter.
 
 The unknowns drift as random walks, and each row of readings corrects them with the steady-state
-model of `prediction`. Sigma points that represent mean and covariance are propagated through the
-model, so no derivatives are needed (Julier and Uhlmann, Proc. IEEE 92 (2004) 401).
+model of `prediction`. Sigma points that represent the mean and the covariance are propagated
+through the model, so no derivatives are needed (Julier and Uhlmann, Proc. IEEE 92 (2004) 401).
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -18,41 +18,41 @@ from raceway.recordings.prediction import Model, misfit
 from raceway.recordings.readings import Reading, Readings
 
 HOUR = 3600.0  # s
-KAPPA = 3.0  # n + kappa of the sigma points; 3 fits the fourth moment of a normal distribution
+KAPPA = 3.0  # n + kappa of the sigma points; 3 matches the fourth moment of a normal distribution
 EDGE = 1e-3  # margin that points keep from the ends of a range, as a fraction of the range
 
 
 class Row(NamedTuple):
-    """Readings at one time."""
+    """Readings taken at the same time."""
 
     time: float  # s
     readings: list[Reading]
 
 
 class Track(NamedTuple):
-    """State over time."""
+    """State of a bearing as a function of time."""
 
     time: Floats  # (N,), s
     names: list[str]
     best: Floats  # (N, unknowns)
     low: Floats  # (N, unknowns), two standard deviations below `best`, within the range
     high: Floats
-    surprise: Floats  # (N,), squared innovation divided by its expectation; normally near 1
+    surprise: Floats  # (N,), squared innovation divided by its expected value; normally near 1
 
 
 def track(of: Readings, rows: Sequence[Row], drift: Mapping[str, float]) -> Track:
-    """`Track` of the unknowns of `of` through `rows`; the readings in `of` are not used.
+    """Return the `Track` of the unknowns of `of` through `rows`; readings in `of` are not used.
 
-    `drift` is the standard deviation of each unknown after an hour, in its unit, 0 unless given. At
-    the start an unknown may be anywhere in its range. Raises `ValueError` for times that do not
-    rise and for a drift that does not belong to an unknown; `NoEquilibrium` if no state near the
-    start carries the loads.
+    `drift` contains the standard deviation of each unknown after an hour, in its unit; the default
+    is 0. Initially, an unknown may be anywhere in its range. Raise `ValueError` if the times do not
+    increase or if a drift does not belong to an unknown, and `NoEquilibrium` if no state near the
+    initial one carries the loads.
     """
     if strange := sorted(set(drift) - set(of.unknown)):
         raise ValueError(f"drift: {strange[0]} is not an unknown")
     times = np.array([row.time for row in rows])
     if not len(rows) or not (np.diff(times) > 0).all():
-        raise ValueError("the rows of a series must have rising times")
+        raise ValueError("the times of the rows of a series must increase")
     names, model = list(of.unknown), Model(of)
     mean, covariance = np.full(len(names), 0.5), np.eye(len(names)) * UNIFORM**2
     found = []
@@ -74,10 +74,12 @@ def track(of: Readings, rows: Sequence[Row], drift: Mapping[str, float]) -> Trac
 def unscented(
     mean: Floats, covariance: Floats, see: Callable[[Floats], Floats], read: Floats, noise: Floats
 ) -> tuple[Floats, Floats, float]:
-    """(mean (n,), covariance (n, n), surprise) after one correction: `see` predicts the readings
-    (m,) of a state (n,), `read` (m,) are the readings, with the variances `noise` (m,).
+    """Return (mean (n,), covariance (n, n), surprise) after one correction step.
 
-    For a linear `see` this is the Kalman filter:
+    `see` predicts the readings (m,) for a state (n,). `read` (m,) contains the readings and `noise`
+    (m,) their variances.
+
+    If `see` is linear, this is the ordinary Kalman filter:
 
     >>> see = lambda x: np.array([x[0] + x[1]])
     >>> found = unscented(np.zeros(2), np.eye(2), see, np.array([3.0]), np.array([1.0]))
@@ -100,7 +102,7 @@ def unscented(
 
 
 def _correct(of, model, row, names, mean, covariance):
-    """`unscented` with the readings of a row and the points kept inside the ranges."""
+    """Apply `unscented` to the readings of a row, keeping the points inside the ranges."""
     centre = model.predict(_state(of, names, mean), row.readings)
     rigid = np.zeros((len(centre), 2))
     root = np.linalg.cholesky(misfit(row.readings, centre, rigid).covariance)
@@ -108,7 +110,7 @@ def _correct(of, model, row, names, mean, covariance):
     def see(place):
         try:
             shown = model.predict(_state(of, names, place), row.readings)
-        except NoEquilibrium:  # use the middle point, so that this one adds no information
+        except NoEquilibrium:  # use the central point, so that this one adds no information
             shown = centre
         return np.linalg.solve(root, [one.value for one in shown])
 
@@ -123,7 +125,8 @@ def _state(of, names, place):
 
 
 def _walk(of, name, share, drift):
-    """Standard deviation after an hour, as a fraction of the range at the present value."""
+    """Return the standard deviation of the drift after one hour, evaluated at the current value, as
+    a fraction of the range."""
     if not drift:
         return 0.0
     return abs(share_of(of, name, value_of(of, name, share) + drift) - share)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Charts of a report as SVG, in plain JavaScript: the page loads nothing. A chart is
+// Draws the charts of a report as SVG in plain JavaScript, so the page loads nothing. A chart is
 //   {title, x: {label, values}, y: label, lines: [{label, values, points}]}
-// or, of a sweep, {table: {name: values}, x: name, y: name}, whose axes the reader picks.
-// Drag zooms, a double click shows all, the mouse reads the values.
+// or, for a sweep, {table: {name: values}, x: name, y: name}, whose axes the reader selects.
+// Dragging zooms, a double click shows everything, and values are shown at the mouse position.
 "use strict";
 (function () {
   const W = 960, H = 340, LEFT = 80, RIGHT = 20, TOP = 14, BOTTOM = 46;
@@ -149,7 +149,7 @@
     }
   }
 
-  // axes that the reader picks
+  // draws a chart whose axes the reader selects
   function pick(box, chart) {
     const names = Object.keys(chart.table);
     const menus = {};

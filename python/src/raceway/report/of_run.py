@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The page of a run: figures with their errors, pictures, warnings and settings."""
+"""Report page for a run: results with their errors, pictures, warnings and settings."""
 
 import shlex
 import tempfile
@@ -21,9 +21,9 @@ from raceway.runs.tables import RunTables
 from raceway.sweeps.check import variables
 from raceway.units import axis
 
-POINTS = 2000  # largest number of points in a line, enough for a screen
+POINTS = 2000  # largest number of points in a line, which is enough for a screen
 AROUND = ("load", "h_min", "sliding")  # columns of the contacts
-# {chart: columns of the totals, drawn over time}
+# {chart: columns of the totals that are plotted against time}
 CHARTS = {
     "Largest contact loads": ("load_inner", "load_outer"),
     "Largest Hertz pressures": ("pressure_inner", "pressure_outer"),
@@ -37,7 +37,7 @@ CHARTS = {
 
 
 def page(tables: RunTables) -> Page:
-    """The page of the run `tables`. Raises `RunError` for a broken or unfinished run."""
+    """Return the page for the run `tables`; raise `RunError` for a broken or unfinished run."""
     figures = summary(tables)
     figures |= statics(tables, figures)
     result = Page(title(tables))
@@ -53,7 +53,7 @@ def _warnings(page, figures):
     for text in figures["warnings"]:
         page.text(text, "warning")
     if not figures["warnings"]:
-        page.text("All figures are within the range of validity of their formulas.")
+        page.text("All results are within the range of validity of their formulas.")
 
 
 def _figures(page, figures):
@@ -76,16 +76,16 @@ def _figures(page, figures):
     for text in reasons(figures):
         page.text(text)
     if "numerical_errors" not in figures:
-        page.text("Numerical errors are not known: raceway check finds them.")
+        page.text("Numerical errors are not known; raceway check estimates them.")
 
 
 def _pictures(page, tables):
     page.heading("Pictures")
-    page.text("Drag a frame to zoom, double-click to see all, point to read values.")
+    page.text("Drag a frame to zoom, double-click to reset, hover to read values.")
     totals, rings = tables.totals, tables.rings
     step = _step(len(totals))
     if step > 1:
-        page.text(f"Lines show every {step}th sample; the table uses all samples.")
+        page.text(f"Lines show every {step}th sample; results are computed from all samples.")
     over_time = _axis(tables, totals.index.to_numpy(float))
     for name, columns in CHARTS.items():
         there = [one for one in columns if one in totals and totals[one].fillna(0.0).any()]
@@ -101,12 +101,13 @@ def _pictures(page, tables):
             path = Path(folder) / "overview.png"
             overview(tables, path)
             page.picture(path.read_bytes(), "Loads, film, pressure and capacitance of the run")
-    except RunError as error:  # a summary record has no contacts
+    except RunError as error:  # for instance, a summary record has no contacts
         page.text(f"No picture of the contacts: {error}")
 
 
 def _around(page, tables):
-    """Load, film and sliding over the azimuth from the load line, by raceway."""
+    """Add charts of load, film and sliding against the azimuth from the load line for each
+    raceway."""
     contacts = part(tables).contacts
     angle = np.degrees(tables.angles(contacts))
     x = {"label": "azimuth from the load line (degrees)", "values": angle}
@@ -129,7 +130,7 @@ def _step(samples):
 
 
 def _chart(page, title, x, unit, lines, points=False):
-    """A chart of `lines`, {name: values in SI units}, shown with a prefix before the `unit`."""
+    """Add a chart of `lines`, {name: values in SI units}, with an SI prefix before the `unit`."""
     step = slice(None, None, _step(len(x["values"])))
     known = [np.abs(values[np.isfinite(values)]).max(initial=0.0) for values in lines.values()]
     factor, label = axis(max(known), unit) if unit else (1.0, "")
@@ -163,6 +164,6 @@ def _settings(page, tables):
 
 
 def repeat(words: Mapping[str, str]) -> str:
-    """The command that runs the main deck with the variables `words`."""
+    """Return the command that runs the main deck with the variables `words`."""
     own = " ".join(f"-var {name} {shlex.quote(str(value))}" for name, value in words.items())
     return f"build/liggghts -in inputs/in.6208 {own}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The page of a sweep: its points, failures, and a chart of any figure over any other."""
+"""Report page for a sweep: its points, failures, and a chart of any result against any other."""
 
 from pathlib import Path
 
@@ -9,11 +9,11 @@ from raceway.report.page import Page
 from raceway.sweeps.gather import gather
 from raceway.sweeps.point_run import FAILED, FINISHED
 
-LONGEST = 500  # most rows of the table; the chart has all points
+LONGEST = 500  # maximum number of rows in the table; the chart shows all points
 
 
 def page(folder: Path) -> Page:
-    """The page of the sweep in `folder`. Raises `RacewayError` if the folder has no point."""
+    """Return the page for the sweep in `folder`; raise `RacewayError` if it has no points."""
     table = gather(folder)
     finished = table[table["status"] == FINISHED]
     result = Page(f"Sweep {Path(folder).name}: {len(table)} points, {len(finished)} finished")
@@ -24,9 +24,9 @@ def page(folder: Path) -> Page:
         varied = [name for name in table.attrs["variables"] if name in numbers]
         figures = [name for name in numbers if name not in varied]
         result.heading("Figures")
-        result.text("Pick the axes. Drag a frame to zoom, double-click to see all.")
+        result.text("Select the axes. Drag a frame to zoom, double-click to reset.")
         result.chart(
-            "One figure over another",
+            "One result against another",
             {
                 "table": {name: numbers[name].to_list() for name in [*varied, *figures]},
                 "names": finished["point"].to_list(),
@@ -39,10 +39,10 @@ def page(folder: Path) -> Page:
     rows = [[_cell(row[name]) for name in head] for _, row in table[:LONGEST].iterrows()]
     result.table(rows, ["number"] * len(head), head)
     if len(table) > LONGEST:
-        result.text(f"The first {LONGEST} of {len(table)} points; results.csv has all of them.")
+        result.text(f"The first {LONGEST} of {len(table)} points; results.csv contains all points.")
     result.heading("Command that repeats the sweep")
     tables = _tables(table[table.attrs["variables"]])
-    result.text("This table, then:" if len(tables) == 1 else "Each of these tables, then:")
+    result.text("For this table:" if len(tables) == 1 else "For each of these tables:")
     for names, rows in tables.items():
         result.code("\n".join([",".join(names), *rows]))
     result.code("raceway sweep TABLE.csv --out DIR")
@@ -55,7 +55,7 @@ def _numbers(table):
 
 
 def _tables(asked):
-    """Distinct rows, grouped by the names of the variables that their points set."""
+    """Return the distinct rows, grouped by the names of the variables that their points set."""
     tables = {}
     for _, row in asked.astype(object).iterrows():
         given = row.dropna()

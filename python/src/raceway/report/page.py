@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The parts of a page as HTML, and the page as one file."""
+"""HTML page that is assembled from parts and written as one file."""
 
 import json
 import math
@@ -16,7 +16,7 @@ POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inli
 
 
 class Page:
-    """A page with a title; parts are added in order, `write` makes the file."""
+    """A page with a title. Parts are added in order, and `write` writes the file."""
 
     def __init__(self, title: str) -> None:
         self.title = title
@@ -24,21 +24,21 @@ class Page:
         self._charts = 0
 
     def heading(self, text: str) -> None:
-        """A heading."""
+        """Add a heading."""
         self._parts.append(f"<h2>{escape(text)}</h2>")
 
     def text(self, text: str, kind: str = "note") -> None:
-        """A paragraph; `kind` is a class of the style: note, warning."""
+        """Add a paragraph; `kind` is a class of the style sheet: note or warning."""
         self._parts.append(f'<p class="{kind}">{escape(text)}</p>')
 
     def code(self, text: str) -> None:
-        """Text as typed."""
+        """Add preformatted text."""
         self._parts.append(f"<pre>{escape(text)}</pre>")
 
     def table(
         self, rows: Iterable[Sequence[str]], kinds: Sequence[str], head: Sequence[str] = ()
     ) -> None:
-        """A table; `kinds` are classes of the columns. A row of one cell is a heading."""
+        """Add a table; `kinds` are the classes of the columns. A row with one cell is a heading."""
         lines = ['<div class="wide"><table>']
         if head:
             cells = (f'<th class="{kind}">{escape(one)}</th>' for kind, one in zip(kinds, head))
@@ -52,10 +52,10 @@ class Page:
         self._parts.append("\n".join([*lines, "</table></div>"]))
 
     def chart(self, title: str, chart: Mapping[str, Any]) -> None:
-        """A chart of `charts.js`. Values that are not finite numbers become gaps."""
+        """Add a chart for `charts.js`; values that are not finite numbers become gaps."""
         self._charts += 1
         name = f"chart{self._charts}"
-        # so that no text closes the script element
+        # Escape "<" so that no text can close the script element.
         data = json.dumps(_plain(chart), ensure_ascii=False, allow_nan=False).replace(
             "<", "\\u003c"
         )
@@ -66,14 +66,14 @@ class Page:
         )
 
     def picture(self, png: bytes, meaning: str) -> None:
-        """A PNG, embedded in the page."""
+        """Add a PNG, which is embedded in the page."""
         from base64 import b64encode
 
         source = "data:image/png;base64," + b64encode(png).decode()
         self._parts.append(f'<img src="{source}" alt="{escape(meaning)}">')
 
     def write(self, path: FilePath) -> Path:
-        """Write the page to `path`. Raises `RunError` if that fails."""
+        """Write the page to `path`; raise `RunError` if this fails."""
         own = resources("raceway") / "report"
         text = "\n".join(
             [

@@ -1,3 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results of a run: `record` reads the file, `tables` gives a folder's samples as tables, `run` as
-labelled arrays. The other modules build on `tables` or `run`."""
+"""Access to the results of a run.
+
+`record` reads the file, `tables` provides the samples in a folder as tables, and `run` provides
+them as labelled arrays. The other modules build on `tables` or `run`.
+"""

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Means of contact quantities around the ring, by raceway and azimuth. Reads in blocks, so a run
-may be of any size."""
+"""Means of contact quantities around the ring, for each raceway and azimuth.
+
+The run is read in blocks, so it may be of any size.
+"""
 
 from collections.abc import Callable, Mapping
 
@@ -18,13 +20,14 @@ BINS = 72
 def around(
     run: Run, quantities: Mapping[str, Callable[[pd.DataFrame], ArrayLike]], bins: int = BINS
 ) -> xr.Dataset:
-    """Mean of `quantities` over the contacts of `run` (from `raceway.open`) in each of `bins` equal
-    sectors of the ring: Dataset (raceway, from_load_line).
+    """Return the means of `quantities` over the contacts of `run` (from `raceway.open`) in each of
+    `bins` equal sectors of the ring, as a Dataset (raceway, from_load_line).
 
-    `quantities` maps a name to a function that takes a table of contacts (`DataFrame`, columns of
-    the record) and returns an array with one value per row. `from_load_line` is the middle of a
-    sector, in rad from the centre of the load zone. `contacts` is the number of contacts over
-    all samples; where it is 0 the means are NaN. Raises `ValueError` for fewer than one bin.
+    `quantities` maps a name to a function that takes a table of contacts (a `DataFrame` with the
+    columns of the record) and returns an array with one value per row. `from_load_line` is the
+    middle of a sector in rad, relative to the centre of the load zone. `contacts` is the number of
+    contacts summed over all samples; where it is 0, the means are NaN. Raise `ValueError` for fewer
+    than one bin.
     """
     if bins < 1:
         raise ValueError(f"bins = {bins} must be at least 1")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A one-piece cage (fix bearing/cage/ring) in a run: its slip and the causes of this slip, its
-orbit, whirl and pocket forces."""
+"""Results for a one-piece cage (fix bearing/cage/ring) in a run: slip and its causes, orbit, whirl
+and pocket forces."""
 
 import math
 from collections.abc import Mapping
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 
     from raceway.runs.tables import RunTables
 
-TURNS = 2  # fewest cage revolutions for a whirl
+TURNS = 2  # minimum number of cage revolutions needed to identify a whirl
 ROUNDING = 1e-12  # rounding error of a slip
 WHIRLS = 0.02  # smallest orbit of a cage that whirls, as a fraction of the play
-NEAR = 0.1  # fraction of the cage's speed within which a whirl turns with a part of the bearing
+NEAR = 0.1  # a whirl follows a part whose speed is within this fraction of the cage speed
 
 
 class CageFigures(NamedTuple):
-    """Figures of a one-piece cage (`cage_figures`)."""
+    """Results for a one-piece cage, as described in `cage_figures`."""
 
     cage_slip: float
     cage_slip_angle: float
@@ -42,17 +42,18 @@ class CageFigures(NamedTuple):
 
 
 def cage_figures(tables: "RunTables") -> CageFigures | None:
-    """`CageFigures` of a run, None without a one-piece cage.
+    """Return the `CageFigures` of a run, or None if it has no one-piece cage.
 
-    `cage_slip`: 1 minus the ratio of the cage's speed to its speed for rolling at contact angle 0,
+    `cage_slip` is 1 minus the ratio of the cage speed to its value for rolling at contact angle 0,
     both relative to the outer ring and averaged over the measured passes. It is the sum of
     `cage_slip_angle` (rolling at the contact angles of the run), `cage_slip_groove` (balls roll
     without sliding on two lines of their contact ellipse, not at the bottom of the groove) and
-    `cage_slip_play` (the rest: pocket play, which idle balls lose, and creep under drag); these are
-    missing if the record has no contacts. `cage_orbit_m`: largest distance of the cage's centre
-    from its mean position (m). `cage_whirl`, `cage_whirl_order`: from `whirl`, `whirl_order`.
-    `pocket_play_m`: play along the pitch circle (m). `pocket_force_max_N`, `..._mean_N`: largest
-    and mean force of a ball on its pocket (N), at the ends of steps.
+    `cage_slip_play` (the remainder, caused by the pocket play, by which idle balls lag behind, and
+    by creep under drag); these three are missing if the record has no contacts. `cage_orbit_m` is
+    the largest distance of the cage centre from its mean position (m). `cage_whirl` and
+    `cage_whirl_order` are the results of `whirl` and `whirl_order`. `pocket_play_m` is the play
+    along the pitch circle (m). `pocket_force_max_N` and `pocket_force_mean_N` are the largest and
+    the mean force of a ball on its pocket (N), evaluated at the ends of steps.
     """
     record = tables.record
     side = record.fixed("ring_raceway").tolist()
@@ -91,9 +92,11 @@ def cage_figures(tables: "RunTables") -> CageFigures | None:
 
 
 def whirl(order: float | None, known: dict[str, float]) -> str | None:
-    """Name of a whirl at `order` times the speed of the cage (`whirl_order`): none, irregular, the
-    part with which the whirl turns, forward (in the direction in which the cage turns) or backward.
-    `known` maps parts to their speeds relative to the speed of the cage.
+    """Return the name of a whirl at `order` times the speed of the cage (see `whirl_order`).
+
+    The name is "none", "irregular", the part with which the whirl rotates, "forward" (in the
+    direction of the cage rotation) or "backward". `known` maps parts to their speeds relative to
+    the speed of the cage.
 
     >>> whirl(0.52, {"cage": 1.0, "inner ring": 2.5}), whirl(-3.0, {})
     ('half the speed of the cage', 'backward')
@@ -110,15 +113,19 @@ def whirl(order: float | None, known: dict[str, float]) -> str | None:
 
 
 def whirl_order(place: np.ndarray, turn: float, play: float) -> float | None:
-    """Whirl speed of `place` (complex, m) over the speed of the cage, which turns by `turn` rad per
-    sample; 0 for a cage that stays within `WHIRLS` of its `play` (m). None if the run is too short,
-    NaN if the motion is irregular, that is, no line of the spectrum has half the power."""
+    """Return the ratio of the whirl speed of `place` (complex, m) to the speed of the cage, which
+    rotates by `turn` rad per sample.
+
+    The ratio is 0 for a cage whose orbit stays within the fraction `WHIRLS` of its `play` (m), None
+    if the run is too short, and NaN if the motion is irregular, i.e. if no line of the spectrum
+    contains half of the power.
+    """
     count = len(place)
     if not abs(turn) * count > TURNS * 2 * math.pi:
         return None
     if np.abs(place).max() < WHIRLS * play:
         return 0.0
-    # window and zero padding, so that a line may lie between bins
+    # A window and zero padding are used so that a line may lie between bins.
     wide = 8 * count
     power = np.abs(np.fft.fft(place * np.hanning(count), wide)) ** 2
     speed = np.fft.fftfreq(wide) * 2 * math.pi / turn
@@ -130,7 +137,8 @@ def whirl_order(place: np.ndarray, turn: float, play: float) -> float | None:
 
 
 def _rolling_slip(tables, start, stop):
-    """Slip by contact angle and by the curvature of the grooves, from the run's own contacts."""
+    """Return the slip due to the contact angle and the slip due to the curvature of the grooves,
+    both computed from the contacts of the run."""
     record, geometry = tables.record, tables.geometry
     if not {"load", "angle", "a"} <= set(record.contact_columns) or record.two_grooves:
         return math.nan, math.nan
@@ -160,12 +168,14 @@ def _rolling_slip(tables, start, stop):
 def cage_ranges(
     tables: "RunTables", figures: Mapping[str, Any]
 ) -> dict[str, tuple[float, float, str]]:
-    """{key: (low, high, why)} of the cage's `figures` that depend on unknown play and guidance.
+    """Return {key: (low, high, why)} for the `figures` of the cage that depend on unknown play and
+    guidance.
 
-    Play: `cage_speed.PLAYS` times the ball's diameter if the run estimated the play. Slip due to
-    play: `cage_speed.slips_of_play` over the loaded arc, for any position of the cage. Largest
-    force: idle balls move through the play under a steady drag, and the force of an impact is
-    proportional to the speed of the ball, hence to the square root of the play.
+    If the run estimated the play, it ranges over `cage_speed.PLAYS` times the ball diameter. The
+    slip due to play follows from `cage_speed.slips_of_play` over the loaded arc, for any position
+    of the cage. The range of the largest force is based on idle balls that move through the play
+    under a steady drag: the force of an impact is proportional to the speed of the ball and hence
+    to the square root of the play.
     """
     play, balls = figures.get("pocket_play_m"), tables.geometry.balls
     slip, shares = figures.get("cage_slip_play"), (1.0, 1.0)
@@ -185,7 +195,7 @@ def cage_ranges(
             found[key] = (
                 min(slip, low) + off,
                 max(slip, high) + off,
-                f"{text} held in the middle or shifted by its play",
+                f"{text} centred or shifted by its play",
             )
     if estimated and (force := figures.get("pocket_force_max_N")):
         found["pocket_force_max_N"] = (*(force * math.sqrt(share) for share in shares), why)
@@ -193,7 +203,7 @@ def cage_ranges(
 
 
 class Pockets(NamedTuple):
-    """The pockets of a one-piece cage in a number s of samples."""
+    """The pockets of a one-piece cage at s samples."""
 
     centre: Floats  # (s, pockets, 3), m
     turned: Floats  # (s,), rad, azimuth of the first pocket
@@ -201,8 +211,10 @@ class Pockets(NamedTuple):
 
 
 def pockets(tables: "RunTables", start: int, stop: int) -> Pockets | None:
-    """`Pockets` in the samples from `start` to `stop`, without tilts of the cage. None if there is
-    no such cage or the record is from an earlier version."""
+    """Return the `Pockets` at the samples from `start` to `stop`, neglecting tilts of the cage.
+
+    Return None if there is no one-piece cage or if the record is from an earlier version.
+    """
     record = tables.record
     side = record.fixed("ring_raceway").tolist()
     if CAGE_RING not in side or "ring_pocket_phase" not in record.variables:
@@ -221,19 +233,20 @@ def pockets(tables: "RunTables", start: int, stop: int) -> Pockets | None:
 
 
 def pockets_around(tables: "RunTables", bins: int = 72) -> "xr.Dataset":
-    """Force of balls on the pockets of a cage by azimuth: Dataset (from_load_line) with `mean`
-    and `largest` (N) and `samples`, the number of known forces, in each of `bins` equal sectors.
+    """Return the force of the balls on the pockets of a cage as a function of azimuth.
 
-    `from_load_line` is the middle of a sector, in rad from the centre of the loaded zone. Sectors
-    without a known force are NaN. Raises `RunError` for a run without a cage ring or places of
-    balls, `ValueError` for fewer than one bin.
+    The result is a Dataset (from_load_line) with the `mean` and the `largest` force (N) and
+    `samples`, the number of known forces, in each of `bins` equal sectors. `from_load_line` is the
+    middle of a sector in rad, relative to the centre of the load zone. Sectors without a known
+    force are NaN. Raise `RunError` for a run without a cage ring or ball positions, and
+    `ValueError` for fewer than one bin.
     """
     if bins < 1:
         raise ValueError(f"bins = {bins} must be at least 1")
     record = tables.record
     needed = {"ball_pocket_force", "ball_x", "ball_y"}
     if missing := sorted(needed - set(record.variables)):
-        raise RunError(f"{record.path} has no {', '.join(missing)}: pocket forces need them")
+        raise RunError(f"{record.path} has no {', '.join(missing)}, as required for pocket forces")
     most, total, count = np.zeros(bins), np.zeros(bins), np.zeros(bins, dtype=int)
     stop = len(record) if tables.stop is None else tables.stop
     for first, last in record.blocks(tables.first, stop):
@@ -265,7 +278,7 @@ def pockets_around(tables: "RunTables", bins: int = 72) -> "xr.Dataset":
             at: (
                 at,
                 middle,
-                {"units": "rad", "long_name": "azimuth from the centre of the loaded zone"},
+                {"units": "rad", "long_name": "azimuth from the centre of the load zone"},
             )
         },
     )

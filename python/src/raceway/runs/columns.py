@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Columns of a run's files: meaning, unit, and value for a ball without contact.
+"""Columns in the files of a run, with their meaning, unit, and value for a ball without contact.
 
 They are defined in C++, next to the code that computes them (`core.table`).
 """
@@ -10,8 +10,11 @@ from raceway import core
 
 
 class Column(NamedTuple):
-    """`unit` is the SI unit, "" for a plain number. `absent` is the value without contact: 0 for a
-    quantity that vanishes with the contact, NaN for a quantity that is then undefined."""
+    """Meaning and unit of a column.
+
+    `unit` is the SI unit, or "" for a dimensionless number. `absent` is the value when there is no
+    contact: 0 for a quantity that vanishes with the contact, NaN for a quantity that is undefined.
+    """
 
     meaning: str
     unit: str
@@ -40,7 +43,7 @@ RING = {
         name: column._replace(meaning=column.meaning.replace("the ring", "the inner ring"))
         for name, column in _RING.items()
     },
-    # not in a file, but computed here
+    # not contained in a file, but computed in Python
     "shift": Column("displacement of the inner ring along the load", "m"),
 }
 HEAT = _table(_TABLES["fix_heat"])  # columns of fix bearing/heat and its file
@@ -49,5 +52,5 @@ BEARING = {
     **_table(_TABLES["bearing"]),
     **{name: column for name, column in HEAT.items() if name.startswith("temperature_")},
 }
-# key of `losses_W`: column of the power lost, in W; the same for contacts, rings and bearings
+# {key of `losses_W`: column of the dissipated power in W}, for contacts, rings and bearings
 LOSSES = {row["loss"]: row["name"] for row in _TABLES["bearing"] if "loss" in row}

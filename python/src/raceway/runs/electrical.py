@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Capacitance of contact, ball and bearing over time; pressure and permittivity of the oil by
-raceway (eqs 8-12)."""
+"""Capacitances of contacts, balls and bearing over time, and pressure and permittivity of the oil
+on each raceway (eqs 8-12)."""
 
 import xarray as xr
 
@@ -11,12 +11,12 @@ from raceway.theory import capacitance
 
 
 def over_time(run: Run, background: float = 0.0) -> xr.Dataset:
-    """Dataset: `contact` (time, raceway, ball), `one_ball` (time, ball), `bearing` (time),
-    capacitances in F.
+    """Return a Dataset of capacitances in F: `contact` (time, raceway, ball), `one_ball` (time,
+    ball) and `bearing` (time).
 
-    The inner and outer contact of a ball are in series, the grooves of a ring and the balls in
-    parallel; `background` (F) is added in parallel (eq 12). `run` is from `raceway.open`; all its
-    samples must fit into memory. Raises `RunError` for a run without film.
+    The inner and outer contact of a ball are in series; the grooves of a ring and the balls are in
+    parallel; `background` (F) is added in parallel (eq 12). `run` is from `raceway.open`, and all
+    its samples must fit into memory. Raise `RunError` for a run without film.
     """
     need_film(run, "capacitance")
     contact = run.contacts["capacitance"].drop_vars(("azimuth", "from_load_line"))
@@ -30,7 +30,7 @@ def over_time(run: Run, background: float = 0.0) -> xr.Dataset:
     )
     for name, what in (
         ("contact", "of one contact"),
-        ("one_ball", "of one ball, inner and outer in series"),
+        ("one_ball", "of one ball, with its contacts in series"),
         ("bearing", "of the bearing"),
     ):
         data[name].attrs = {"units": "F", "long_name": f"capacitance {what}"}
@@ -38,11 +38,13 @@ def over_time(run: Run, background: float = 0.0) -> xr.Dataset:
 
 
 def by_raceway(run: Run, bins: int = BINS) -> xr.Dataset:
-    """Dataset (raceway, from_load_line) of means over the contacts in each sector of the ring:
-    maximum Hertz `pressure` (Pa), relative `permittivity` of the oil at this pressure (eqs 10, 11),
-    `capacitance` of a contact (F); and `contacts`, the number of contacts.
+    """Return a Dataset (raceway, from_load_line) of means over the contacts in each sector of the
+    ring.
 
-    `run` is from `raceway.open` and read in blocks. Raises `RunError` for a run without film.
+    Its variables are the maximum Hertz `pressure` (Pa), the relative `permittivity` of the oil at
+    this pressure (eqs 10, 11), the `capacitance` of a contact (F), and `contacts`, the number of
+    contacts. `run` is from `raceway.open` and is read in blocks. Raise `RunError` for a run without
+    film.
     """
     need_film(run, "capacitance")
     ambient = run.settings["permittivity"]

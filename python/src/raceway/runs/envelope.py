@@ -19,12 +19,12 @@ from raceway.runs import spectrum
 from raceway.runs.source import Signal, Source
 
 LEVELS = 6  # the narrowest bands are 1/64 of half the sampling rate
-EDGE = 0.05  # fraction of the signal at each end that is faded out and ignored for the bands
-ENOUGH = 64  # minimum number of values of an envelope for its kurtosis
+EDGE = 0.05  # fraction of the signal at each end that is tapered and not used to choose a band
+ENOUGH = 64  # minimum number of values of an envelope from which a kurtosis is computed
 
 
 class Band(NamedTuple):
-    """A band of frequencies and how impulsive the signal is in it."""
+    """A frequency band and a measure of how impulsive the signal is in it."""
 
     low: float  # Hz
     high: float  # Hz
@@ -32,11 +32,12 @@ class Band(NamedTuple):
 
 
 def of_values(values: ArrayLike, sample_s: float, low: float, high: float) -> Floats:
-    """Envelope (N,) of evenly sampled `values` (N,), `sample_s` apart, in the band `low` to `high`
-    in Hz, in the unit of the values.
+    """Return the envelope (N,) of evenly sampled `values` (N,) in the band from `low` to `high` in
+    Hz.
 
-    The envelope is the magnitude of the analytic signal after a Butterworth filter of order 4, run
-    forwards and backwards, so that it has no delay. Raises `ValueError` for a band outside 0 to
+    The samples are `sample_s` apart; the envelope has the unit of the values. It is the magnitude
+    of the analytic signal after a Butterworth filter of order 4, which is run forwards and
+    backwards so that it has no delay. Raise `ValueError` for a band outside the range from 0 to
     half the sampling rate.
 
     >>> time = np.arange(8000) / 8000
@@ -55,12 +56,13 @@ def of_values(values: ArrayLike, sample_s: float, low: float, high: float) -> Fl
 
 
 def bands(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> list[Band]:
-    """Spectral kurtosis of `values` (N,), `sample_s` apart, in halves, quarters ... of the range
-    from 0 to half the sampling rate; no band is narrower than `narrowest` in Hz.
+    """Return the spectral kurtosis of `values` (N,) in frequency bands.
 
-    The spectral kurtosis is E|x|^4/(E|x|^2)^2 - 2 of the complex envelope x (Antoni, Mech. Syst.
-    Signal Process. 21 (2007) 108), with brick-wall bands. The lowest band of each level is omitted,
-    because it contains the slow motion.
+    The samples are `sample_s` apart. The bands are halves, quarters ... of the range from 0 to half
+    the sampling rate; no band is narrower than `narrowest` in Hz. The spectral kurtosis is
+    E|x|^4/(E|x|^2)^2 - 2 of the complex envelope x (Antoni, Mech. Syst. Signal Process. 21 (2007)
+    108), with brick-wall bands. The lowest band of each level is omitted because it contains the
+    slow motion.
     """
     values = signal.detrend(np.asarray(values, float))
     lines = fft.rfft(values * signal.get_window(("tukey", 2 * EDGE), len(values)))
@@ -80,7 +82,7 @@ def bands(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> list[Ba
 
 
 def best_band(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> Band:
-    """The most impulsive of `bands`. Raises `ValueError` if there are too few values for a band."""
+    """Return the most impulsive of `bands`; raise `ValueError` if there are too few values."""
     found = bands(values, sample_s, narrowest)
     if not found:
         raise ValueError(
@@ -97,11 +99,13 @@ def of_run(
     ring: str = "inner",
     orders: bool | None = None,
 ) -> xr.DataArray:
-    """`spectrum.of_run` of the envelope of a column of a `ring` of `run`, or of a channel of a
-    recording, in a `band` (Hz, Hz) or in the most impulsive one at least three times as wide as
-    BPFI; `attrs["band"]` is the band used.
+    """Return the spectrum of the envelope of a column of a `ring` of `run`, or of a channel of a
+    recording.
 
-    Raises `RunError` as `spectrum.of_run` does, and for a band beyond half the sampling rate.
+    The `band` (Hz, Hz) is by default the most impulsive one that is at least three times as wide as
+    BPFI; `attrs["band"]` is the band used. The result is like that of `spectrum.of_run`. Raise
+    `RunError` in the same cases as `spectrum.of_run`, and for a band that extends beyond half the
+    sampling rate.
     """
     values, sample_s, attrs = run.signal(name, ring)
     passes = spectrum.places(run, harmonics=1)["BPFI", 1][1]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Electrical quantities of a run over time: capacitance by parts, Hertz area, breakdown threshold
-voltage, stored energy, field, leakage and impedance."""
+"""Electrical quantities of a run as functions of time: parts of the capacitance, Hertz area,
+threshold voltage of breakdown, stored energy, field, leakage and impedance."""
 
 import math
 
@@ -17,29 +17,29 @@ SIDES = whole_capacitance.SIDES
 MEANING = {
     "plates": ("F", "capacitance of the contact ellipses (eq 12)"),
     "around": ("F", "capacitance around the ellipses of the loaded balls"),
-    "unloaded": ("F", "capacitance of the balls without load"),
+    "unloaded": ("F", "capacitance of the unloaded balls"),
     "bearing": ("F", "capacitance of the bearing"),
     "hertz_area": ("m2", "area of all contact ellipses"),
-    "threshold": ("V", "smallest voltage at which a film fails, field over the separation"),
-    "threshold_peaks": ("V", "threshold for the field over the separation less three sigma"),
+    "threshold": ("V", "smallest voltage at which a film fails, with the field over the gap"),
+    "threshold_peaks": ("V", "threshold with the field over the gap minus three sigma"),
     "weakest": ("1", "number of the ball whose smooth film fails first"),
     "energy": ("J", "energy stored at the threshold of smooth films"),
-    "field": ("V/m", "largest field in a film, over the separation"),
-    "field_peaks": ("V/m", "largest field in a film, over the separation less three sigma"),
+    "field": ("V/m", "largest field in a film, over the gap"),
+    "field_peaks": ("V/m", "largest field in a film, over the gap minus three sigma"),
     "leak": ("ohm", "resistance of the films to direct current"),
     "impedance": ("ohm", "modulus of the impedance"),
     "phase": ("rad", "phase of the impedance"),
-    "bearing_voltage_ratio": ("1", "bearing voltage over common-mode voltage, two such bearings"),
+    "bearing_voltage_ratio": ("1", "bearing voltage over common-mode voltage, for two bearings"),
 }
 
 
 def over_time(run: Run, whole: xr.Dataset, ask: Ask = NOTHING) -> xr.Dataset:
-    """Dataset over time with the variables of `MEANING`, SI units; `whole` is the result of
-    `whole_capacitance.over_time` for the `run`.
+    """Return a Dataset over time with the variables of `MEANING` in SI units.
 
-    The capacitances of plates, surroundings and unloaded balls add up to that of the bearing. A
-    voltage in `ask` adds the fields, a resistivity the leak, a frequency the impedance, and a motor
-    the voltage ratio; with a motor, the energy includes the motor's capacitances.
+    `whole` is the result of `whole_capacitance.over_time` for the `run`. The capacitances of
+    plates, surroundings and unloaded balls add up to the capacitance of the bearing. A voltage in
+    `ask` adds the fields, a resistivity the leak, a frequency the impedance, and a motor the
+    voltage ratio; with a motor, the energy includes the capacitances of the motor.
     """
     total, paths, load, plates = (
         _films(whole, name) for name in ("total", "paths", "load", "plates")
@@ -85,8 +85,8 @@ def over_time(run: Run, whole: xr.Dataset, ask: Ask = NOTHING) -> xr.Dataset:
 
 
 def spectrum(whole: xr.Dataset, frequency: Floats, resistivity: float) -> xr.DataArray:
-    """Complex impedance in ohm (time, frequency) of `whole` at frequencies (n,) in Hz, with oil of
-    `resistivity` (ohm m)."""
+    """Return the complex impedance in ohm (time, frequency) of `whole` at frequencies (n,) in Hz,
+    for oil with the given `resistivity` (ohm m)."""
     total, paths = _films(whole, "total"), _films(whole, "paths")
     z = [impedance.of_films(total, paths, one, resistivity) for one in frequency]
     return xr.DataArray(
@@ -98,5 +98,5 @@ def spectrum(whole: xr.Dataset, frequency: Floats, resistivity: float) -> xr.Dat
 
 
 def _films(data, name):
-    """Values (2, n, Z) of the inner and the outer films."""
+    """Return the values (2, n, Z) of the inner and the outer films."""
     return data[name].transpose("raceway", "time", "ball").to_numpy()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Electrical figures of a run, from `film_figures` over time, as a mapping and as text."""
+"""Electrical results of a run, computed from `film_figures` over time, as a dict and as text."""
 
 import math
 from collections.abc import Mapping
@@ -62,9 +62,12 @@ TOPICS = {
 def figures(
     run: Run, data: xr.Dataset, fields: xr.Dataset, frequency: float | None = None
 ) -> dict[str, Any]:
-    """Figures of a `run` by name in SI units, angles in degrees; None if not requested. `data` is
-    from `film_figures.over_time`, `fields` from `whole_capacitance.fields`. Keys shared with
-    `electric_point.figures` have the same meaning, here over the whole run."""
+    """Return the electrical results of a `run` in SI units (angles in degrees), keyed by name.
+
+    Results that were not requested are None. `data` is from `film_figures.over_time`, `fields` from
+    `whole_capacitance.fields`. Keys that `electric_point.figures` also has have the same meaning,
+    but refer to the whole run.
+    """
     first = int(data["threshold"].to_numpy().argmin())
     state = fields["state"].to_numpy() == STATES.index("metallic")
     plates = float(data["plates"].mean())
@@ -107,7 +110,7 @@ def figures(
 
 
 def table(figures: Mapping[str, Any]) -> str:
-    """`figures` as text."""
+    """Return `figures` as text."""
     shown = dict(figures, hertz_area_m2=f"{1e6 * figures['hertz_area_m2']:.4g} mm²")
     for key in ("threshold_azimuth_deg", "phase_deg"):
         shown[key] = shown[key] and round(shown[key], 2) + 0.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Flaws of a run: the words of fix bearing/profile for each ring or ball."""
+"""Flaws in a run, i.e. the arguments of fix bearing/profile for each ring or ball."""
 
 import re
 from collections.abc import Mapping
@@ -7,14 +7,15 @@ from typing import Any
 
 from raceway.theory.bearing import INNER, OUTER
 
-RINGS = {INNER: "inner_ring", OUTER: "outer_ring"}  # keys of a run's settings
-ONE = re.compile(r"(?:^|; )(\d+) ((?:(?!; \d+ ).)*)")  # an atom number and its words
-OF_BALL = "ball "  # before the words of a ball
+RINGS = {INNER: "inner_ring", OUTER: "outer_ring"}  # keys in the settings of a run
+ONE = re.compile(r"(?:^|; )(\d+) ((?:(?!; \d+ ).)*)")  # an atom number and its arguments
+OF_BALL = "ball "  # precedes the arguments for a ball
 
 
 def by_raceway(settings: Mapping[str, Any]) -> dict[str, str]:
-    """{"inner": words, "outer": words} for the flawed raceways of the single bearing of `settings`;
-    the words of several fixes follow one another.
+    """Return {"inner": arguments, "outer": arguments} for the flawed raceways of a single bearing.
+
+    `settings` are the settings of the run. The arguments of several fixes are concatenated.
 
     >>> by_raceway({"inner_ring": 19, "outer_ring": 20, "flaws": "20 wave 8 1e-8 0"})
     {'outer': 'wave 8 1e-8 0'}
@@ -28,7 +29,9 @@ def by_raceway(settings: Mapping[str, Any]) -> dict[str, str]:
 
 
 def by_ball(settings: Mapping[str, Any]) -> dict[int, str]:
-    """Words by atom number of the flawed balls; the words of several fixes follow one another.
+    """Return {atom number: arguments} for the flawed balls.
+
+    The arguments of several fixes are concatenated.
 
     >>> by_ball({"flaws": "20 wave 8 1e-8 0; 3 ball wave 2 1e-7 0"})
     {3: 'wave 2 1e-7 0'}
@@ -41,6 +44,7 @@ def by_ball(settings: Mapping[str, Any]) -> dict[int, str]:
 
 
 def by_part(settings: Mapping[str, Any]) -> dict[str, str]:
-    """Words of the raceways by "inner" and "outer", and of balls by "ball N", N the atom number."""
+    """Return the arguments for raceways, with the keys "inner" and "outer", and for balls, with
+    keys such as "ball 3", where 3 is the atom number."""
     balls = {f"ball {ball}": words for ball, words in by_ball(settings).items()}
     return {**by_raceway(settings), **balls}

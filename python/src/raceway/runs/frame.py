@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing's own frame: z is its axis, and the origin is the initial seat of its outer ring.
+"""Conversion to the bearing's own frame, in which z is the bearing axis and the origin is the
+initial seat of the outer ring.
 
-A record has vectors along the axes of the lab; its attribute `axis` is the axis of the bearing. The
-conversion permutes components cyclically, as in the hosts (`lab_axes.h`), so no bit changes.
+The vectors in a record have components along the lab axes; its attribute `axis` is the bearing
+axis. The conversion permutes components cyclically, as in the hosts (`lab_axes.h`), so the values
+do not change.
 """
 
 import re
@@ -12,8 +14,8 @@ _PLACE = re.compile(r"(?:ball|cage|ring_origin)_([xyz])")
 
 
 def own_name(name: str, axis: str) -> str:
-    """Name in the bearing's frame of a variable of a record whose bearings have the lab's `axis`.
-    Raises `ValueError` for an axis other than x, y or z.
+    """Return the name that a variable of a record has in the bearing's frame, if the bearing axis
+    is the lab `axis`. Raise `ValueError` for an axis other than x, y or z.
 
     >>> own_name("ring_fy", "x"), own_name("ball_omegax", "x"), own_name("ring_spin", "x")
     ('ring_fx', 'ball_omegaz', 'ring_spin')
@@ -25,7 +27,8 @@ def own_name(name: str, axis: str) -> str:
 
 
 def along(name: str) -> int | None:
-    """Index of the coordinate, 0 to 2, that a position variable holds; None for other variables.
+    """Return the index (0 to 2) of the coordinate that a position variable contains, or None for
+    other variables.
 
     >>> along("ball_y"), along("ring_origin_z"), along("ring_x")
     (1, 2, None)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque and power losses of a run, compared with the makers' formulas."""
+"""Friction torque and power losses of a run, and values from the formulas of bearing makers."""
 
 import math
 from typing import Any
@@ -18,20 +18,20 @@ KEYS = (
     "torque_palmgren_N_m",
     "asperity_share",
 )
-STILL = 1e-9  # rad/s of relative speed, below which rings count as standing still
-FEW = 1e-2  # fraction of the radial force below which an axial force is ripple
+STILL = 1e-9  # rad/s, relative speed below which the rings count as being at rest
+FEW = 1e-2  # fraction of the radial force below which an axial force is considered ripple
 
 
 def friction(tables: RunTables) -> dict[str, Any]:
-    """Means over the window, SI units; None if the run has no value.
+    """Return means over the window in SI units; quantities that the run does not have are None.
 
     - `friction_torque_N_m`: power loss divided by the relative speed of the rings, as in
-      statics; None below `STILL`, with a warning in the summary
-    - `power_loss_W`, `losses_W`: power lost in all contacts, and by kind of loss
-      (`columns.LOSSES`)
-    - `asperity_share`: share of the load on asperities, at the largest inner load
-    - `torque_skf_N_m`, `torque_palmgren_N_m`: the makers' figures at the measured forces, for
-      bearings and lubricants whose files are available and have the required data
+      statics; None for speeds below `STILL`, with a warning in the summary
+    - `power_loss_W`, `losses_W`: power dissipated in all contacts, in total and for each kind of
+      loss (`columns.LOSSES`)
+    - `asperity_share`: fraction of the load carried by asperities, at the largest inner load
+    - `torque_skf_N_m`, `torque_palmgren_N_m`: values from the makers' formulas for the measured
+      forces, if the files of bearing and lubricant are available and have the required data
     """
     totals, rings = tables.totals, tables.rings
     rings = rings[rings["sample"] > 0]
@@ -53,7 +53,8 @@ def friction(tables: RunTables) -> dict[str, Any]:
 
 
 def _makers(tables, rings):
-    """SKF's torque with the oil level at the centre of the lowest ball, and Palmgren's, N m."""
+    """Return the torques of SKF, with the oil level at the centre of the lowest ball, and Palmgren
+    in N m."""
     settings = tables.settings
     load = loading(tables)
     if not tables.lubricated or load is None or "fz" not in rings:

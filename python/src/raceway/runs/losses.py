@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque and power losses of the bearing."""
+"""Friction torque and power losses of a bearing over time and around the ring."""
 
 import numpy as np
 import xarray as xr
@@ -11,18 +11,19 @@ from raceway.runs.run import Run
 
 
 def losses(run: Run) -> xr.Dataset:
-    """Dataset (time) of `run` (from `raceway.open`), at the samples common to rings and contacts:
+    """Return a Dataset (time) for `run` (from `raceway.open`) at the samples that rings and
+    contacts have in common.
 
-    - `torque` (N m): moment of the balls on the inner ring, opposite to its rotation relative to
+    - `torque` (N m): moment of the balls on the inner ring that opposes its rotation relative to
       the outer ring
-    - `power_in` (W): power supplied by both rings, moment times spin
-    - the power lost (W), by kind of loss: `friction_power`, `damping_power`, ... if the
-      contact law of the run has them (`columns.LOSSES`)
+    - `power_in` (W): power supplied by both rings, i.e. moment times spin
+    - `friction_power`, `damping_power`, ... (W): dissipated power for each kind of loss that the
+      contact law of the run has (`columns.LOSSES`)
 
-    At any moment, power in and power lost differ by the rate of change of elastic and kinetic
-    energy; averaged over whole ball passes, they differ by the energy error of the integrator. The
-    torque is the moment about the bearing's axis, so the tilt of the ring must be small. Raises
-    `RunError` if the run did not record its losses.
+    At any time, the supplied and the dissipated power differ by the rate of change of elastic and
+    kinetic energy; averaged over whole ball passes, they differ by the energy error of the
+    integrator. The torque is the moment about the bearing axis, so the tilt of the ring must be
+    small. Raise `RunError` if the run did not record its losses.
     """
     rings, bearing = run.rings, run.bearing
     if "mz" not in rings or "spin" not in rings:
@@ -46,9 +47,13 @@ def losses(run: Run) -> xr.Dataset:
 
 
 def losses_around(run: Run, bins: int = BINS) -> xr.Dataset:
-    """Dataset (raceway, from_load_line): mean power loss of a contact (W) in each sector of the
-    ring, for each loss column of the contacts (`friction_power`, `damping_power`, ...), and
-    `contacts`, the number of contacts. Reads in blocks. Raises as `losses` does."""
+    """Return a Dataset (raceway, from_load_line) of mean power losses of a contact (W) in each
+    sector of the ring.
+
+    It has a variable for each loss column of the contacts (`friction_power`, `damping_power`, ...)
+    and `contacts`, the number of contacts. The run is read in blocks. Raise `RunError` in the same
+    cases as `losses`.
+    """
     names = _known(run.tables.record.contact_columns, run)
     result = around(run, {name: lambda table, name=name: table[name] for name in names}, bins)
     for name in names:
@@ -57,7 +62,7 @@ def losses_around(run: Run, bins: int = BINS) -> xr.Dataset:
 
 
 def _known(columns, run):
-    """Loss columns among `columns`. Raises `RunError`, which names the file, if there are none."""
+    """Return the loss columns among `columns`; raise `RunError` if there are none."""
     if known := [name for name in LOSSES.values() if name in columns]:
         return known
     raise RunError(

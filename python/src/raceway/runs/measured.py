@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Forces, displacement, tilt and speed of the inner ring, measured over the window of a run, and
-the load distribution factor where it is defined."""
+the load distribution factor if it is defined."""
 
 import math
 from typing import NamedTuple
@@ -17,11 +17,11 @@ from raceway.units import prefixed
 
 FEW = 0.05  # fraction of the radial load or displacement above which the load is not purely radial
 LITTLE = 0.01  # fraction of a load below which values are omitted from the title
-TURNED = 0.1  # rad; a load whose direction varies more does not count as steady
+TURNED = 0.1  # rad; a load whose direction varies by more than this does not count as steady
 
 
 def measured(tables: RunTables) -> dict[str, float | None]:
-    """Means over the window, SI units; None for quantities that the run did not record.
+    """Return means over the window in SI units; quantities that the run did not record are None.
 
     - `force_x_N`, `force_y_N`, `force_z_N`: force of balls and cage on the inner ring
     - `moment_x_N_m`, `moment_y_N_m`: moment of these forces on the ring
@@ -55,13 +55,17 @@ def measured(tables: RunTables) -> dict[str, float | None]:
 
 
 def rpm(tables: RunTables) -> tuple[Floats, Floats]:
-    """Speeds (N,) of the inner and the outer ring at the samples, rpm, positive about the axis."""
+    """Return the speeds (N,) of the inner and the outer ring at the samples in rpm, positive about
+    the axis."""
     of, window = tables.turning, (tables.first, tables.last)
     return tuple(of.speed(side, *window) * 30 / math.pi for side in (INNER, OUTER))
 
 
 def speeds(tables: RunTables) -> str:
-    """Shaft speed as text, a range if it changes; speeds of both rings if the outer one rotates."""
+    """Return the shaft speed, or its range if it changes, as text.
+
+    If the outer ring rotates, the text contains the speeds of both rings.
+    """
     inner, outer = (speed[_kept(tables)] for speed in rpm(tables))
     if outer.any():
         return f"inner {_range(inner)}, outer {_range(outer)}"
@@ -75,8 +79,11 @@ def _range(speed):
 
 
 class Loading(NamedTuple):
-    """Load on the balls, N: `radial` is the mean magnitude of the radial force, `axial` the force
-    along the axis; `turns` is true for a rotating radial force."""
+    """Load on the balls in N.
+
+    `radial` is the mean magnitude of the radial force, `axial` the force along the axis; `turns` is
+    true if the radial force rotates.
+    """
 
     radial: float
     axial: float
@@ -84,21 +91,24 @@ class Loading(NamedTuple):
 
 
 def loading(tables: RunTables) -> Loading | None:
-    """Measured load on the inner ring, opposite to the force of the balls; None if the run did not
-    record forces."""
+    """Return the measured load on the inner ring, which is opposite to the force of the balls, or
+    None if the run did not record forces."""
     rings = _window(tables)
     if "fx" not in rings or "fy" not in rings or not len(rings):
         return None
     force = rings["fx"].to_numpy() + 1j * rings["fy"].to_numpy()
     radial = float(np.abs(force).mean())
     axial = -float(rings["fz"].mean()) if "fz" in rings else 0.0
-    # ball-pass ripple turns the direction of a steady load by less than this
+    # The ball-pass ripple rotates the direction of a steady load by less than this angle.
     return Loading(radial, axial, bool(abs(force.mean()) < math.cos(TURNED) * radial))
 
 
 def load_parameter(tables: RunTables, displacement: float) -> float | None:
-    """Load distribution factor of a run with the mean radial `displacement` (m). None where it is
-    undefined: without displacement, with a tilt, or under a load that rotates or is not radial."""
+    """Return the load distribution factor of a run with the mean radial `displacement` (m).
+
+    Return None where it is undefined, i.e. if there is no displacement, if the ring is tilted, or
+    if the load rotates or is not radial.
+    """
     rings, load = _window(tables), loading(tables)
     if not displacement:
         return None
@@ -111,18 +121,18 @@ def load_parameter(tables: RunTables, displacement: float) -> float | None:
 
 
 def _kept(tables):
-    """Samples of the window without the first sample, unless it is the only one."""
+    """Return the samples of the window without the first sample, unless it is the only one."""
     return slice(int(tables.first == 0 and tables.last > 1), None)
 
 
 def _window(tables):
-    # samples after the start of the window, without copying a long table
+    # Select the samples after the start of the window without copying a long table.
     rings = tables.rings
     return rings.iloc[int(np.searchsorted(rings["sample"], 0, side="right")) :]
 
 
 def title(tables: RunTables) -> str:
-    """The run `tables` in one line, with measured load and speed."""
+    """Return a one-line description of the run `tables` with the measured load and speed."""
     settings = tables.settings
     oil = f"{settings['lubricant']} lubricant" if tables.lubricated else "dry"
     clearance = prefixed(settings["clearance_m"], "m", 3).replace("-", "−")

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Known model uncertainty of the figures of a run: the range of the inputs and the spread of the
-laws. Unknown uncertainties are not included; for numerical errors see `raceway check`.
+"""Known model uncertainty of the results of a run, due to the range of the inputs and the spread of
+the laws. Unknown uncertainties are not included; for numerical errors see `raceway check`.
 
-Films and capacitance: the limits of the inputs, the film laws of Masjedi-Khonsari and
-Hamrock-Dowson, and the factors for inlet shear by Murch, Wilson and Gupta. A run without inlet
-shear is isothermal; its lower limit is the film thinned by inlet shear. All limits are evaluated at
-the inner contact with the largest load and applied as factors; limits that act in the same
-direction are combined. Asperities: the three laws of `theory.asperity`. Torque: the unknowns of the
-friction laws, and the makers' formulas. The unknowns are the inlet, from the shortest to a flooded
-one; alpha of hysteresis, 0.005 to 0.05; the share of the asperities; and drag, half to twice its
-value.
+The ranges of films and capacitance follow from the limits of the inputs, the film laws of
+Masjedi-Khonsari and Hamrock-Dowson, and the inlet shear factors of Murch, Wilson and Gupta. A run
+without inlet shear is isothermal; its lower limit is the film thinned by inlet shear. All limits
+are evaluated at the inner contact with the largest load and applied as factors; limits that act in
+the same direction are combined. The range of the asperity load follows from the three laws of
+`theory.asperity`. The range of the torque follows from the unknowns of the friction laws and from
+the makers' formulas. The unknowns are the inlet, from the shortest to a flooded one; alpha of
+hysteresis, from 0.005 to 0.05; the fraction of the load on asperities; and the drag, from half to
+twice its value.
 """
 
 import math
@@ -43,15 +44,15 @@ FIELDS = {
     "permittivity": "permittivity",
     "roughness_m": "roughness",
 }
-GUPTA = 10.0  # largest thermal loading for which Gupta's factor holds
-SAME = 1e-6  # relative difference within which two values are the same
+GUPTA = 10.0  # largest thermal loading for which Gupta's factor is valid
+SAME = 1e-6  # relative difference below which two values count as equal
 LAWS = ((film.h_min, film.h_c), (film.hamrock_dowson_min, film.hamrock_dowson_c))
 HYSTERESIS = (0.005, 0.05)  # alpha, Schwarz et al. 2023
 SHARES = (asperity.zhou_hoeprich, asperity.olver_spikes, asperity.clarke)
 
 
 class Range(NamedTuple):
-    """Range of a figure due to known model uncertainty, in the unit of the figure, and the
+    """Range of a result due to known model uncertainty, in the unit of the result, and its
     reason."""
 
     low: float
@@ -60,8 +61,10 @@ class Range(NamedTuple):
 
 
 def model_ranges(tables: RunTables, figures: Mapping[str, Any]) -> dict[str, Range]:
-    """`Range` by key of the figures of the run `tables`; empty for a dry run or a lubricant without
-    a file."""
+    """Return {key: `Range`} for the results (`figures`) of the run `tables`.
+
+    Films and capacitance have no range for a dry run and for a lubricant without a file.
+    """
     result: dict[str, Range] = {}
     needed = ("h_c_m", "entrainment_speed_m_s", "q_inner_max_N", "p_max_inner_Pa")
     if tables.lubricated and all(figures.get(key) for key in (*needed, *FIELDS)):
@@ -93,7 +96,7 @@ def model_ranges(tables: RunTables, figures: Mapping[str, Any]) -> dict[str, Ran
 
 
 def _torques(tables, figures):
-    """Least and greatest torque in N m over the unknowns of the friction laws."""
+    """Return the smallest and the largest torque in N m over the unknowns of the friction laws."""
     losses, share = figures.get("losses_W"), figures.get("asperity_share")
     if not losses or not figures.get("lambda") or share is None or not figures.get("h_c_m"):
         return []
@@ -165,7 +168,7 @@ def _films(tables, figures, oil, fluid):
         speed,
         load,
     )
-    # film of the run over the film of the law: contains all other effects on the thickness
+    # The ratio of the run's film to that of the law contains all other effects on the thickness.
     scale = [figures["h_min_m"] / film.h_min(r_x, usual), figures["h_c_m"] / film.h_c(r_x, usual)]
     lows = [float(k * min(one[i] for one in found)) for i, k in enumerate(scale)]
     highs = [float(k * max(one[i] for one in found)) for i, k in enumerate(scale)]
@@ -191,14 +194,14 @@ def _films(tables, figures, oil, fluid):
 
 
 def _thinning(tables, figures, fluid):
-    """Factors on the film of the run by the laws of inlet shear."""
+    """Return the factors on the film of the run that follow from the laws of inlet shear."""
     loading = film_factors.thermal_loading(
         fluid.temperature_viscosity,
         figures["viscosity_Pa_s"],
         figures["entrainment_speed_m_s"],
         fluid.conductivity,
     )
-    if math.isnan(loading):  # not given in the file
+    if math.isnan(loading):  # the file does not contain the necessary data
         return [1.0]
     pressure = figures["p_max_inner_Pa"] / tables.geometry.effective_modulus
     laws = {"murch": film_factors.murch_wilson(loading), "wilson": film_factors.wilson(loading)}

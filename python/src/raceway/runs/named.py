@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Datasets with all variables available as attributes, for example `run.contacts.Q`."""
+"""Datasets whose variables are all available as attributes, for example `run.contacts.Q`."""
 
 import xarray as xr
 
@@ -8,10 +8,10 @@ ALIASES = {"Q": "load", "lambda_ratio": "lambda", "radial_displacement": "shift"
 
 
 class NamedDataset(xr.Dataset):
-    """A dataset with second names for variables that cannot be attributes in Python:
-    `Q` for `load` (N), `lambda_ratio` for `lambda`, `radial_displacement` for `shift` (m).
+    """A dataset with second names for variables that cannot be attributes in Python.
 
-    Both names work as keys, also in datasets that xarray derives from this one by selection,
+    They are `Q` for `load` (N), `lambda_ratio` for `lambda` and `radial_displacement` for `shift`
+    (m). Both names work as keys, also in datasets that xarray derives from this one by selection,
     reduction or arithmetic.
     """
 
@@ -33,6 +33,6 @@ class NamedDataset(xr.Dataset):
         return [*super().__dir__(), *(k for k, own in ALIASES.items() if own in self.variables)]
 
     def _own(self, name):
-        """Name of the variable for `name`."""
+        """Return the name of the variable that `name` refers to."""
         own = ALIASES.get(name, name) if isinstance(name, str) else name
         return own if name not in self.variables and own in self.variables else name

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The two contacts of a ball in series."""
+"""Table of the two contacts of each loaded ball, whose capacitances are in series."""
 
 import pandas as pd
 
@@ -10,10 +10,12 @@ _OF_GROOVES = {"load": "max", "capacitance": "sum"}
 
 
 def pairs(contacts: pd.DataFrame) -> pd.DataFrame:
-    """One row for each sample and ball loaded on both raceways, from a table of contacts:
-    `load_inner`, `load_outer` and, if the contacts have capacitances, `capacitance_inner`,
-    `capacitance_outer` and their value in series, `capacitance`. For a ring with two grooves, the
-    larger load and the sum of the capacitances.
+    """Return a table with one row for each sample and ball that is loaded on both raceways.
+
+    `contacts` is a table of contacts. The columns are `load_inner`, `load_outer` and, if the
+    contacts have capacitances, `capacitance_inner`, `capacitance_outer` and their value in series,
+    `capacitance`. For a ring with two grooves, the larger of the two loads and the sum of the
+    capacitances are used.
     """
     names = ["sample", "ball"] + [name for name in ("load", "capacitance") if name in contacts]
     live = contacts.loc[contacts["load"] > 0, [*names, "raceway"]]

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Ball passages over a spall in an acceleration or contact load: time of entry and impact.
+"""Times of entry and impact when balls pass over a spall, from an acceleration or a contact load.
 
-When a ball enters, its load decreases by a term quadratic in the distance and, because of damping,
-a linear term (low frequencies). It hits the far edge half-way or later (a sharp bend, high
-frequencies). `spall.length` and `kinematics.spall_length` convert the time between entry and impact
-into a length (Sawalha and Randall, Mech. Syst. Signal Process. 25 (2011) 846).
+When a ball enters the spall, its load decreases by a term that is quadratic in the distance and,
+due to damping, by a linear term (low frequencies). It hits the far edge half-way through the spall
+or later (a sharp bend, high frequencies). `spall.length` and `kinematics.spall_length` convert the
+time between entry and impact into a length (Sawalha and Randall, Mech. Syst. Signal Process. 25
+(2011) 846).
 """
 
 import warnings
@@ -20,45 +21,46 @@ from raceway.runs import spectrum
 from raceway.runs.source import Source
 from raceway.theory import kinematics
 
-QUIET = 0.25  # fraction of the time before an impact, at its start, that contains no entry
-# multiples of the sharpest bend in this quiet time above which an impact begins
+QUIET = 0.25  # initial fraction of the time before an impact that is assumed to contain no entry
+# An impact begins at bends above these multiples of the sharpest bend in this quiet time.
 SHARP, ABOVE = 4.0, 1.5
-ONSET = 0.2  # fraction of the sharpest bend of a passage that its first impact exceeds
-STRONG = 0.7  # fraction of the deepest dip above which a passage is under the load
-# a signal is not at rest above these fractions of the largest value before the impact and of the
-# sharpest bend
+ONSET = 0.2  # the first impact of a passage exceeds this fraction of its sharpest bend
+STRONG = 0.7  # a passage with at least this fraction of the deepest dip is in the load zone
+# A signal counts as disturbed above these fractions of the largest value before the impact and of
+# the sharpest bend.
 LEAST, FAINT = 0.02, 0.02
-CALM = (0.3, 0.6)  # fraction of the time from entry to the strong bends that contains no impact
-SMOOTH = 0.5  # largest bend over largest value in the quiet time; a lower ratio means ringing
-# an impact begins at a jump above this multiple of the largest jump in the calm time, and above
-# this fraction of the largest jump of the passage
+CALM = (0.3, 0.6)  # part of the time from entry to the strong bends that contains no impact
+SMOOTH = 0.5  # ratio of largest bend to largest value in the quiet time; lower values mean ringing
+# An impact begins at a jump above this multiple of the largest jump in the calm time and above this
+# fraction of the largest jump of the passage.
 JUMP, FAINTEST = 3.0, 0.12
-RESTLESS = 0.04  # unrest before entries, as a fraction of the dip, above which some may be lost
-REACH = 6.0  # range of the search for the entry, in times from first sign to end of the fit
+RESTLESS = 0.04  # unrest before entries, as a fraction of the dip, above which some may be missed
+REACH = 6.0  # search range for the entry, in multiples of the time from first sign to end of fit
 FOLDS = 4  # samples in a bin of the folded record
-FEWEST = 32  # samples around an impact
-# Hz, rate of a signal behind its sensor's filter: in runs of a 6206 under 800 N, spalls of 1 to
-# 2.5 mm read up to 6 % too short at 64 kHz, and all read about 1 mm at 48 kHz
+FEWEST = 32  # minimum number of samples around an impact
+# Hz, lowest sampling rate of a signal that has passed the filter of a sensor. In runs of a 6206
+# under 800 N, the lengths found for spalls of 1 to 2.5 mm are up to 6 % too short at 64 kHz, and
+# all about 1 mm at 48 kHz.
 SLOWEST = 60e3
 
 
 class Passages(NamedTuple):
-    """Ball passages with an entry and an impact; arrays (N,)."""
+    """Ball passages with an entry and an impact, as arrays (N,)."""
 
-    entry: Floats  # s from the first value
-    blow: Floats  # s
-    dip: Floats  # first peak after the entry, in the signal's unit
-    unrest: Floats  # amplitude before the entry relative to the dip: earlier ringing, or noise
+    entry: Floats  # s, time of entry from the first value
+    blow: Floats  # s, time of impact
+    dip: Floats  # first peak after the entry, in the unit of the signal
+    unrest: Floats  # amplitude before the entry relative to the dip, due to ringing or noise
 
     @property
     def seconds(self) -> Floats:
-        """Time from entry to impact, s."""
+        """Time from entry to impact in s."""
         return self.blow - self.entry
 
     @property
     def strong(self) -> "Passages":
-        """Passages with at least 0.7 of the deepest dip: a spall of the inner raceway rotates
-        through the load zone."""
+        """Passages with at least 0.7 of the deepest dip. This matters for a spall on the inner
+        raceway, which rotates through the load zone."""
         kept = self.dip >= STRONG * self.dip.max(initial=0.0)
         return Passages(*(values[kept] for values in self))
 
@@ -70,22 +72,22 @@ def find(
     reach_s: float | None = None,
     share: float = 0.5,
 ) -> Passages:
-    """`Passages` in evenly sampled `values` (N,), `sample_s` apart, with a ball at the spall every
-    `period_s`: 1/BPFO or 1/BPFI for a ring's acceleration, Z times this period for the contact load
-    of one ball.
+    """Return the `Passages` in evenly sampled `values` (N,) that are `sample_s` apart.
 
-    A passage lasts from `reach_s` before to `reach_s` after an impact, by default half a period. In
-    the first quarter of the time before the impact, the signal must be quiet, along a straight
-    line. The entry is the start of a linear and a quadratic term fitted up to a `share` of the
-    first peak. The impact is the jump of the second derivative; at a rounded edge, the start of the
-    rounding. A contact load bends sooner than an acceleration does: use a `share` of 0.1 and a
-    reach of three times the time from entry to impact. Passages without a distinct impact, or with
-    an entry lost in noise, are omitted.
+    A ball reaches the spall every `period_s`, which is 1/BPFO or 1/BPFI for the acceleration of a
+    ring, and Z times this period for the contact load of one ball. A passage lasts from `reach_s`
+    before to `reach_s` after an impact, by default half a period. In the first quarter of the time
+    before the impact, the signal must be quiet, i.e. follow a straight line. The entry is the start
+    of a linear and a quadratic term, which are fitted up to a fraction `share` of the first peak.
+    The impact is the jump of the second derivative or, at a rounded edge, the start of the
+    rounding. A contact load bends sooner than an acceleration: use a `share` of 0.1 and a reach of
+    three times the time from entry to impact. Passages without a distinct impact, or whose entry is
+    hidden by noise, are omitted.
 
-    Raises `ValueError` for a reach below 16 samples or above half a period, values shorter than a
-    period, and a share outside 0 to 1.
+    Raise `ValueError` for a reach below 16 samples or above half a period, for values shorter than
+    a period, and for a share that is not between 0 and 1.
 
-    A ball on two edges, 2 ms from entry to blow, every 50 ms:
+    In this example, a ball passes two edges every 50 ms, and the impact follows 2 ms after entry:
 
     >>> time = np.arange(20000) / 1e5
     >>> way = np.maximum(1 - np.abs((time - 0.03) % 0.05 - 0.02) / 2e-3, 0)
@@ -96,11 +98,11 @@ def find(
     reach_s = 0.5 * period_s if reach_s is None else reach_s
     if not 0.5 * FEWEST * sample_s <= reach_s <= 0.5 * period_s:
         raise ValueError(
-            f"reach {reach_s:g} s must be {FEWEST // 2} samples, {0.5 * FEWEST * sample_s:g} s, to"
-            f" half a period, {0.5 * period_s:g} s"
+            f"reach {reach_s:g} s must be from {FEWEST // 2} samples"
+            f" ({0.5 * FEWEST * sample_s:g} s) to half a period ({0.5 * period_s:g} s)"
         )
     if len(values) * sample_s < period_s:
-        raise ValueError(f"{len(values)} values must last a period of {period_s:g} s")
+        raise ValueError(f"{len(values)} values must cover a period of {period_s:g} s")
     if not 0 < share < 1:
         raise ValueError(f"share is {share:g}, must lie between 0 and 1")
     turn = np.diff(values, 2, prepend=values[0], append=values[-1])
@@ -117,8 +119,8 @@ def find(
 
 
 def _phase(turn, count):
-    """Position in samples of the sharpest bend in a period of `count` samples, with all periods
-    folded into one."""
+    """Return the position (in samples) of the sharpest bend within a period of `count` samples,
+    after all periods have been folded into one."""
     bins = int(count / FOLDS)
     place = (np.arange(len(turn)) % count * bins / count).astype(int) % bins
     sharp = np.bincount(place, turn**2, bins)
@@ -126,8 +128,10 @@ def _phase(turn, count):
 
 
 def _passage(values, turn, share):
-    """(entry, impact, dip, unrest) in samples of the `values` around one impact, whose second
-    differences are `turn`, or None."""
+    """Return (entry, impact, dip, unrest) of the `values` around one impact, or None.
+
+    Entry and impact are in samples; `turn` contains the second differences of the values.
+    """
     bend = np.abs(turn)
     quiet = slice(0, int(0.5 * QUIET * len(values)))
     place = np.arange(len(values), dtype=float)
@@ -137,11 +141,11 @@ def _passage(values, turn, share):
         return None
     blow = int(np.argmax(bend > max(ONSET * bend.max(), ABOVE * floor)))
     left = np.abs(away[quiet]).max()
-    # the quadratic term bends uniformly, so it is visible even if ringing exceeds the dip
+    # The quadratic term bends uniformly, so it is visible even if ringing exceeds the dip.
     notices = [(bend, FAINT * bend.max())]
     if floor > SMOOTH * left or left < LEAST * np.abs(away[: blow + 1]).max():
         notices.append((np.abs(away), LEAST * np.abs(away[: blow + 1]).max()))
-    else:  # earlier ringing: no line to extrapolate
+    else:  # earlier ringing, so there is no straight line to extrapolate
         away = values
     found = [
         np.flatnonzero(one[: blow + 1] > max(ABOVE * one[quiet].max(), least))
@@ -162,28 +166,33 @@ def _passage(values, turn, share):
 
 
 def _begin(turn, entry, blow):
-    """Start of the impact whose strong bends begin at the index `blow`: the first jump of `turn`
-    that exceeds the earlier jumps. A rounded edge first causes a weak bend; ringing bends without a
-    jump."""
+    """Return the start of the impact whose strong bends begin at the index `blow`.
+
+    It is the first jump of `turn` that exceeds the earlier jumps. A rounded edge first causes a
+    weak bend; ringing causes bends without a jump.
+    """
     jump = np.abs(np.diff(turn, prepend=turn[0]))
     first, last = (max(int(entry + part * (blow - entry)), 0) for part in CALM)
     after = int(2 * blow - entry)
     least = max(JUMP * jump[first : last + 1].max(), FAINTEST * jump[first : after + 1].max())
     sudden = np.flatnonzero(jump[last : blow + 1] > least)
-    return (last + sudden[0] if len(sudden) else blow) + 0.5  # between this value and the next
+    return (last + sudden[0] if len(sudden) else blow) + 0.5  # between two values
 
 
 def _entry(values, start, end, ringing):
-    """Start of a linear and a quadratic term of the same sign on top of a line and a decaying
-    `ringing` (rad per sample): least squares up to the index `end`, near `start`; or None."""
+    """Return the start of a linear and a quadratic term of the same sign on top of a line and a
+    decaying `ringing` (rad per sample), or None.
+
+    The start is found near the index `start` by a least-squares fit up to the index `end`.
+    """
     if end - start < 1:
         return None
     place = np.arange(end + 1) - float(end)
     place = place[max(0, end - int(4 * np.pi / ringing + REACH * (end - start))) :]
     rest = [np.ones_like(place), place, *_waves(place, ringing)]
     values = values[-len(place) + end + 1 : end + 1]
-    # residual of the values and of the two terms after the fit of line and ringing, as a function
-    # of the start of the terms
+    # `miss` is the residual of the values and of the two terms after the fit of line and ringing,
+    # as a function of the start of the terms.
     base = np.linalg.qr(np.transpose(rest))[0]
     left = values - base @ (base.T @ values)
 
@@ -192,7 +201,7 @@ def _entry(values, start, end, ringing):
         line, square = (one - base @ (base.T @ one) for one in (on, on**2))
         ll, ls, ss, lv, sv = line @ line, line @ square, square @ square, line @ left, square @ left
         a, b = ss * lv - ls * sv, ll * sv - ls * lv
-        if a * b > 0:  # a damper adds to its spring
+        if a * b > 0:  # damping has the same sign as the spring term
             return -(a * lv + b * sv) / (ll * ss - ls**2)
         return -(sv**2) / ss
 
@@ -211,7 +220,7 @@ def _waves(place, ringing):
 
 
 def _ringing(values):
-    """The strongest frequency of `values` after an impact, rad per sample."""
+    """Return the strongest frequency of `values` after an impact, in rad per sample."""
     heard = signal.detrend(values) * np.hanning(len(values))
     lines = np.abs(np.fft.rfft(heard, 8 * len(heard)))
     return 2 * np.pi * max(int(np.argmax(lines)), 1) / (8 * len(heard))
@@ -220,18 +229,19 @@ def _ringing(values):
 def of_run(
     run: Source, raceway: str, name: str = "ay", ring: str = "outer", longest: float = 3e-3
 ) -> Passages:
-    """`find` in a column of a `ring` of `run`, or in a channel of a recording, for a spall of the
-    "inner" or "outer" `raceway` of a length up to `longest` in m; earlier ringing must have decayed
-    by that distance before an impact. The period follows from the run's own cage speed, or from
-    kinematics for a recording.
+    """Return the `Passages` in a column of a `ring` of `run`, or in a channel of a recording.
 
-    Warns if the rate is below 60 kHz: the filter of a sensor then hides entry and impact. Warns if
-    the signal before the entries varies by more than 4 % of their dips. Of 31 lengths in
-    runs of the 6205 and 6208 at 1000 to 6000 rpm, 15 had this warning, and nine of them were 7 % to
-    150 % off; the other 16 were within 3.1 %.
+    The spall is on the "inner" or "outer" `raceway` and is at most `longest` (m) long; earlier
+    ringing must have decayed when the ball is still this distance away from the impact. The period
+    follows from the cage speed of the run or, for a recording, from kinematics.
 
-    Raises `RunError` as `spectrum.signal_of` does, for a run without cage speed, and for too few
-    samples; `ValueError` for another raceway.
+    Warn if the sampling rate is below 60 kHz, because the filter of a sensor then hides entry and
+    impact. Also warn if the signal before the entries varies by more than 4 % of the depth of the
+    dips. Of 31 lengths estimated from runs of the 6205 and 6208 at 1000 to 6000 rpm, 15 had this
+    warning, and nine of these were 7 % to 150 % off; the other 16 were within 3.1 %.
+
+    Raise `RunError` in the same cases as `spectrum.signal_of`, for a run without a cage speed, and
+    for too few samples; raise `ValueError` for any other raceway.
     """
     if raceway not in ("inner", "outer"):
         raise ValueError(f"raceway is '{raceway}', must be inner or outer")
@@ -239,9 +249,9 @@ def of_run(
     bearing, spin = run.geometry, abs(run.motion.shaft)
     rate = spectrum.places(run, harmonics=1)["BPFI" if raceway == "inner" else "BPFO", 1][1]
     if not (spin and rate):
-        raise RunError(f"{run.where}: a shaft that stands still has no ball passages")
+        raise RunError(f"{run.where}: there are no ball passages, because the shaft is at rest")
     period = 1 / rate
-    # a ball hits the far edge before it leaves the spall
+    # A ball hits the far edge before it leaves the spall.
     reach = longest / float(kinematics.entrainment(bearing, spin)) / (1 - QUIET)
     try:
         found = find(values, sample_s, period, min(reach, 0.5 * period))
@@ -250,14 +260,14 @@ def of_run(
     if sample_s * SLOWEST > 1:
         warnings.warn(
             f"{run.where}: a rate of {1e-3 / sample_s:.5g} kHz is below {1e-3 * SLOWEST:g} kHz:"
-            " lengths from a filtered signal are then wrong, by half or more",
+            " lengths from a filtered signal can be wrong by half or more",
             stacklevel=2,
         )
     unrest = np.median(found.strong.unrest) if len(found.entry) else 0.0
     if unrest > RESTLESS:
         warnings.warn(
             f"{run.where}: before a ball enters the spall, the signal varies by {unrest:.0%} of the"
-            f" entry's dip (more than {RESTLESS:.0%}): lengths can be wrong by half or more",
+            f" depth of the dip (more than {RESTLESS:.0%}): lengths can be wrong by half or more",
             stacklevel=2,
         )
     return found

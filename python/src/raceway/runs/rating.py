@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equivalent load and rating life of a run, from the loads of its balls (ISO/TS 16281)."""
+"""Equivalent load and rating life of a run, computed from the ball loads (ISO/TS 16281)."""
 
 import numpy as np
 
@@ -18,10 +18,12 @@ ROWS = (
 
 
 def rating(tables: RunTables) -> dict[str, float | None]:
-    """Figures by the keys of `ROWS`. All are None if the inner ring does not turn against a steady
-    load or the record has no contact loads; the life is also None if the bearing has no rating.
+    """Return the equivalent load, rating and life with the keys of `ROWS`.
 
-    The equivalent load does not depend on the rating. Grooves of a ring count as rows."""
+    All are None unless the inner ring rotates relative to a steady load and the record has contact
+    loads; the life is also None if the bearing has no rating. The equivalent load does not depend
+    on the rating. Each groove of a ring counts as a row.
+    """
     result: dict[str, float | None] = dict.fromkeys(row.key for row in ROWS)
     means = _means(tables)
     if means is None:
@@ -39,7 +41,8 @@ def rating(tables: RunTables) -> dict[str, float | None]:
 
 
 def _means(tables):
-    """Means (2 T,) of the powers of the loads on the grooves of the inner, then the outer ring."""
+    """Return the means (2 T,) of powers of the loads, first on the grooves of the inner ring, then
+    on the grooves of the outer ring."""
     record, turning, load = tables.record, tables.turning, loading(tables)
     if "load" not in record.contact_columns or load is None or load.turns:
         return None
@@ -56,7 +59,7 @@ def _means(tables):
 
 
 def _of_file(tables):
-    """(nominal contact angle in rad, dynamic rating of all grooves in N or None)"""
+    """Return (nominal contact angle in rad, dynamic rating of all grooves in N or None)."""
     angle = np.radians(float(tables.settings.get("contact_angle_deg", 0) or 0))
     try:
         path = catalogue.find("bearings", str(tables.settings["bearing"]))
@@ -66,6 +69,6 @@ def _of_file(tables):
         return angle, None
     if four_point is not None:
         angle = four_point
-    # the ratings of a file do not apply to a bearing to which the deck adds grooves
+    # The ratings in a file do not apply to a bearing to which the deck adds grooves.
     same = (four_point is not None) == tables.record.two_grooves
     return angle, rated.dynamic if rated and same else None

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The record of a run: the file that fix bearing/record writes, read in pieces.
+"""Reader for the record of a run, i.e. the file that fix bearing/record writes.
 
-The file is netCDF classic: `xarray.open_dataset` opens it without this module. It may still be
-growing: each read covers the samples that the header counts at that moment.
+The file is in netCDF classic format, so `xarray.open_dataset` can open it without this module. It
+may still be growing: each read covers the samples that the header counts at that time.
 """
 
 import re
@@ -22,10 +22,10 @@ from raceway.runs.frame import along, own_name
 
 NAME = "record.nc"
 BLOCK = 8 << 20  # bytes per read
-CHECKSUM = "checksum"  # attribute and variable, src-package/core/record/netcdf_header.h
+CHECKSUM = "checksum"  # attribute and variable, see src-package/core/record/netcdf_header.h
 HEADER_SUM = re.compile(rb"sum ([0-9a-f]{8}) of (\d{10}) header bytes")
 BY_SCIPY = (TypeError, ValueError, LookupError, ArithmeticError, AttributeError, AssertionError)
-CAGE_RING = 2  # ring_raceway of a one-piece cage
+CAGE_RING = 2  # value of ring_raceway for a one-piece cage
 NUMBERS = (("time",), ("time", "ring"), ("time", "bearing"))
 
 
@@ -39,16 +39,16 @@ class _Known(dict):
 
 
 class Record:
-    """The record in `folder`: all its bearings, or the one with the number `bearing` (from 1).
+    """The record in `folder`, for all its bearings or for the one with the number `bearing`.
 
-    Vectors are along the axes of the bearings' frame (`runs.frame`), with z along their axis.
-    Positions are relative to the seat of the chosen bearing or, for all bearings, to the origin of
-    the host's box.
+    Bearings are numbered from 1. The components of vectors refer to the frame of the bearings
+    (`runs.frame`), whose z axis is the bearing axis. Positions are relative to the seat of the
+    selected bearing or, for all bearings, to the origin of the host's box.
 
     Arrays are read on demand, from sample `start` to `stop`. Every sample that is read is verified
-    by its checksum. `checked` is False for a record from a version without checksums. Raises
-    `RunError` for a folder without a record, for a file that is damaged or not a record, and for an
-    unknown bearing number.
+    by means of its checksum. `checked` is False for a record from a version without checksums.
+    Raises `RunError` if the folder has no record, if the file is damaged or not a record, and if
+    the bearing number is unknown.
     """
 
     def __init__(self, folder: FilePath, bearing: int | None = None) -> None:
@@ -64,7 +64,7 @@ class Record:
             raise RunError(f"cannot read {self.path}: {error.strerror or error}") from None
         except (*BY_SCIPY, RecursionError, MemoryError):
             raise RunError(
-                f"cannot read {self.path}: it is cut short or damaged, or no record at all"
+                f"cannot read {self.path}: it is truncated or damaged, or it is not a record"
             ) from None
         self.variables = self.known(self.variables)
         self._fixed = self.known(self._fixed)
@@ -87,21 +87,23 @@ class Record:
         self._numbers: tuple[tuple[int, int], dict[str, Floats]] = ((-1, -1), {})  # none yet
 
     def _check_length(self):
-        """A finished record has exactly the samples that its header counts; a growing one
-        may have more."""
+        """Check that a finished record has exactly the samples that its header counts.
+
+        A growing record may have more.
+        """
         if (CHECKSUM in self.variables) != self.checked:
-            raise RunError(f"{self.path} is damaged: its header has lost its checksum")
+            raise RunError(f"{self.path} is damaged: the checksum of its header is missing")
         bytes_, samples = self.path.stat().st_size, len(self)
         wanted = self._begin + samples * self._row.itemsize
         finished = bool(np.any(self._fixed["finished"]))
         if bytes_ < wanted or (finished and bytes_ > wanted):
             raise RunError(
-                f"cannot read {self.path}: it is cut short or damaged, with {bytes_} bytes for"
-                f" {samples} samples that need {wanted}"
+                f"cannot read {self.path}: it is truncated or damaged: {samples} samples need"
+                f" {wanted} bytes, but it has {bytes_}"
             )
 
     def _check_samples(self, rows, first):
-        """Verify whole samples, from number `first` on, by their checksums."""
+        """Verify the checksums of whole samples, of which the first has the number `first`."""
         if not self.checked:
             return
         wrong = np.flatnonzero(_sums(rows, len(rows), first) != rows[CHECKSUM].astype(np.uint32))
@@ -129,7 +131,8 @@ class Record:
         self._row, self._begin = _row(timed), _begin(file, timed)
 
     def _seat_of_outer(self):
-        """Origin of the bearing's frame in the host's box, along the axes of that frame."""
+        """Return the origin of the bearing's frame in the host's box, in components of that
+        frame."""
         last = np.argmax(self.fixed("ring_raceway") % CAGE_RING)  # 0: an inner ring or a cage
         return [float(self._fixed[f"ring_origin_{x}"][self.part("ring")][last]) for x in "xyz"]
 
@@ -138,18 +141,18 @@ class Record:
         return values if place is None or not self._seat[place] else values - self._seat[place]
 
     def known(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """`values` by variable; a missing name raises `RunError`."""
+        """Return `values` as a dict that raises `RunError` for a missing variable."""
         return _Known(self.path, values)
 
     def __len__(self) -> int:
-        """Number of samples in the header at this moment."""
+        """Return the number of samples that the header counts at this time."""
         with open(self.path, "rb", buffering=0) as file:
             return int.from_bytes(
                 file.read(8)[4:], "big"
             )  # netCDF classic: after "CDF" and version
 
     def part(self, dimension: str) -> slice:
-        """Slice of a dimension that belongs to the bearing."""
+        """Return the slice of a dimension that belongs to the selected bearing."""
         if self.bearing is None or dimension not in ("ball", "cage_ball", "ring", "bearing"):
             return slice(None)
         owner = self._fixed["bearing" if dimension == "bearing" else f"{dimension}_bearing"]
@@ -157,16 +160,16 @@ class Record:
         return slice(here[0], here[-1] + 1) if len(here) else slice(0, 0)
 
     def fixed(self, name: str) -> np.ndarray:
-        """Values of a variable without time, for the bearing."""
+        """Return the values of a variable without a time dimension for the selected bearing."""
         dims = self.variables[name]
         return self._from_seat(name, self._fixed[name][tuple(self.part(dim) for dim in dims)])
 
     def read(self, names: list[str], start: int = 0, stop: int | None = None) -> dict[str, Floats]:
-        """{name: array} of variables with time, native byte order, for the bearing.
+        """Return {name: array} for variables with a time dimension, in native byte order.
 
-        The file is read once. Variables with one number per sample and bearing or ring are read
-        together and cached until other samples are requested (a summary reads such variables one by
-        one).
+        The arrays cover the selected bearing. The file is read only once. Variables with one number
+        per sample and bearing or ring are read together and cached until other samples are
+        requested, because a summary reads such variables one by one.
         """
         first, last, _ = slice(start, stop).indices(len(self))
         numbers = [n for n, dims in self.variables.items() if dims in NUMBERS]
@@ -177,7 +180,7 @@ class Record:
         return {name: self._numbers[1][name] for name in names}
 
     def _scan(self, names, first, last):
-        """{name: array} of the samples `first` to `last`, a few MB of the file at a time."""
+        """Return {name: array} for the samples `first` to `last`, reading a few MB at a time."""
         parts = {n: (slice(None), *self._parts(n)) for n in names}
         count = max(0, last - first)
         none = np.empty(0, self._row)
@@ -195,15 +198,16 @@ class Record:
         return {name: self._from_seat(name, values) for name, values in found.items()}
 
     def shape(self, name: str) -> tuple[int, ...]:
-        """Shape of one sample of a variable with time, for the bearing."""
+        """Return the shape of one sample of a variable with a time dimension, for the selected
+        bearing."""
         return np.empty(0, self._row)[name][(slice(None), *self._parts(name))].shape[1:]
 
     def _parts(self, name):
         return tuple(self.part(dim) for dim in self.variables[name][1:])
 
     def pick(self, name: str, key: tuple) -> Floats:
-        """Values of a variable with time at an index (slices, integers and arrays, one per
-        dimension), for the bearing."""
+        """Return the values of a variable with a time dimension at an index, for the selected
+        bearing. The index has a slice, integer or array for each dimension."""
         time = key[0]
         if isinstance(time, slice) and time.step in (None, 1):
             values = self.read([name], time.start or 0, time.stop)[name]
@@ -215,7 +219,7 @@ class Record:
         return values
 
     def _scattered(self, name, samples):
-        """A variable at scattered samples; the samples between are neither read nor mapped."""
+        """Return a variable at scattered samples, without reading or mapping those in between."""
         parts = self._parts(name)
         row = np.empty(1, self._row)
         found = np.empty((np.size(samples), *row[name][(slice(None), *parts)].shape[1:]))
@@ -230,73 +234,73 @@ class Record:
 
     @cached_property
     def raceways(self) -> list[str]:
-        """ "inner" and "outer"; "inner 0", "inner 1", "outer 0" and "outer 1" where a ring may have
-        two grooves for a ball."""
+        """Names of the raceways: "inner" and "outer", or "inner 0", "inner 1", "outer 0" and
+        "outer 1" if a ball may touch two grooves of a ring."""
         return [b"".join(name).decode().strip() for name in self._fixed["raceway"]]
 
     @property
     def two_grooves(self) -> bool:
-        """True if a ring may have two grooves for a ball (gothic arch)."""
+        """True if a ball may touch two grooves of a ring (gothic arch)."""
         return len(self.raceways) > 2
 
     @cached_property
     def contact_columns(self) -> list[str]:
-        """Names of the contact columns; none in a summary record."""
+        """Names of the contact columns; empty for a summary record."""
         return [n for n, dims in self.variables.items() if dims == ("time", "raceway", "ball")]
 
     def blocks(self, start: int, stop: int | None) -> Iterator[tuple[int, int]]:
-        """(start, stop) of blocks of a few MB."""
+        """Yield (start, stop) of blocks of a few MB."""
         self.need_samples()
         stop = len(self) if stop is None else min(stop, len(self))
         if start >= stop:
-            raise RunError(f"{self.path} holds {len(self)} samples, none from number {start} on")
+            raise RunError(f"{self.path} has {len(self)} samples, none from number {start} on")
         size = max(1, BLOCK // self.record_bytes)
         for first in range(start, stop, size):
             yield first, min(first + size, stop)
 
     def timed(self, prefix: str) -> list[str]:
-        """Names of the variables with time that begin with `prefix`."""
+        """Return the names of the variables with a time dimension that begin with `prefix`."""
         return [n for n, dims in self.variables.items() if n.startswith(prefix) and "time" in dims]
 
     def need_one(self) -> None:
-        """Raise `RunError` unless the record has one bearing or one has been chosen."""
+        """Raise `RunError` unless the record has one bearing or one has been selected."""
         if self.bearing is None:
             raise RunError(
-                f"{self.path} has {len(self.bearings)} bearings: choose one with --bearing NUMBER,"
-                " in Python run.select(number)"
+                f"{self.path} has {len(self.bearings)} bearings: select one with --bearing NUMBER"
+                " or, in Python, with run.select(number)"
             )
 
     def need_samples(self) -> None:
-        """Raise `RunError` if the header counts no sample."""
+        """Raise `RunError` if the header counts no samples."""
         if not len(self):
-            raise RunError(f"{self.path} holds no sample: its run has just begun or was stopped")
+            raise RunError(f"{self.path} has no samples: its run has just begun or was stopped")
 
     def need_contacts(self) -> None:
         """Raise `RunError` if the record has no contact columns."""
         if not self.contact_columns:
             raise RunError(
-                f"{self.path} holds no contacts: record them with -var record all, or in your own"
-                " deck with 'contacts usual' of fix bearing/record"
+                f"{self.path} has no contacts: record them with -var record all or, in your own"
+                " deck, with 'contacts usual' of fix bearing/record"
             )
 
 
 def _without_record(folder):
-    """Reason for a missing record in the folder, and the remedy."""
+    """Return the reason why the folder has no record, and the remedy."""
     if not folder.is_dir():
-        return "is not a folder: a run makes one, -var out NAME"
+        return "is not a folder: a run with -var out NAME creates one"
     if (folder / "contacts.dump").exists() or (folder / "balls.dump").exists():
         return (
-            f"has text dumps and no {NAME}: raceway reads records; run the deck again with -var"
-            " record all, or read its dumps with raceway of commit a7b5052"
+            f"has text dumps but no {NAME}: raceway reads records; run the deck again with -var"
+            " record all, or read the dumps with raceway at commit a7b5052"
         )
     return (
-        f"has no {NAME}: its run recorded nothing, or it was removed; -var record all or fix"
-        " bearing/record makes one"
+        f"has no {NAME}: its run recorded nothing, or the file was removed; -var record all or fix"
+        " bearing/record writes one"
     )
 
 
 def _check_header(path):
-    """Number of bytes of a header with a valid checksum, 0 for a header without checksum."""
+    """Return the size in bytes of a header with a valid checksum, or 0 if it has no checksum."""
     with open(path, "rb") as file:
         head = file.read(1 << 16)
         if not (said := HEADER_SUM.search(head)):
@@ -306,13 +310,16 @@ def _check_header(path):
     head[4:8] = bytes(4)  # number of samples
     head[slice(*said.span(1))] = b"0" * 8
     if len(head) < int(said[2]) or _sums(head, 1) != int(said[1], 16):
-        raise RunError(f"cannot read {path}: it is cut short or damaged, in its header")
+        raise RunError(f"cannot read {path}: it is truncated or damaged in its header")
     return len(head)
 
 
 def _sums(content, samples, first=None):
-    """Checksums of a header, or of samples that start at number `first` and end with their own
-    checksum."""
+    """Return the checksum of a header, or the checksums of samples.
+
+    `first` is the number of the first sample. Each sample ends with its recorded checksum, which is
+    not included in the sum.
+    """
     numbers, sums = np.frombuffer(content, np.int32), np.empty(samples, np.int32)
     width = len(numbers) // max(samples, 1)
     library().call(
@@ -332,18 +339,18 @@ def _plain(value):
 
 
 def _place(variable):
-    """Memory address of the first value of a variable."""
+    """Return the memory address of the first value of a variable."""
     return variable.data.__array_interface__["data"][0]
 
 
 def _begin(file, timed):
-    """Offset of the first sample in a file that has one."""
+    """Return the offset of the first sample in a file that has samples."""
     first = min(map(_place, timed.values()), default=0)
     return first - file._mm_buf.__array_interface__["data"][0]
 
 
 def _row(timed):
-    """Type of one sample: the variables with time, at their offsets."""
+    """Return the dtype of one sample, with all variables that depend on time at their offsets."""
     begin = min(map(_place, timed.values()), default=0)
     return np.dtype(
         {

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Samples of a record as `DataFrame`s; their column `sample` counts from the start of the record.
+"""Functions that return samples of a record as `DataFrame`s.
 
-Each function takes the `record` and the samples `start` to `stop`. All values are SI units.
+Each function takes the `record` and a range of samples from `start` to `stop`. The column `sample`
+counts from the start of the record. All values are in SI units.
 """
 
 import numpy as np
@@ -12,17 +13,20 @@ from raceway.errors import RunError
 from raceway.runs.columns import ATOM
 from raceway.runs.record import CAGE_RING, Record
 
-# atom types; an inner ring has RINGS, an outer ring RINGS + 1, a one-piece cage RINGS + 2
+# Atom types. An inner ring has the type RINGS, an outer ring RINGS + 1, a one-piece cage RINGS + 2.
 BALL, CAGE, RINGS = 1, 2, 3
-MOTION = list(ATOM)[2:]  # place, velocity and spin
+MOTION = list(ATOM)[2:]  # position, velocity and spin
 
 
 def contacts(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """One row for each active contact and sample, with `groove` for rings with two grooves.
-    `attrs`: `first` and the number of `samples`. Raises `RunError` if the record has no loads."""
+    """Return a table with one row for each active contact and sample.
+
+    It has a column `groove` if rings have two grooves. Its `attrs` contain the `first` sample and
+    the number of `samples`. Raise `RunError` if the record has no loads.
+    """
     record.need_contacts()
     if "load" not in record.contact_columns:
-        raise RunError(f"{record.path} has no column load: record it with the other contacts")
+        raise RunError(f"{record.path} has no column load: record it with the other columns")
     data = record.read(record.contact_columns, start, stop)
     live = data["load"].transpose(0, 2, 1) > 0
     sample, ball, place = np.nonzero(live)
@@ -42,7 +46,7 @@ def contacts(record: Record, start: int, stop: int) -> pd.DataFrame:
 
 
 def _rings_of_balls(record):
-    """Atom number of the inner and the outer ring of every ball: (2, balls)."""
+    """Return the atom numbers (2, balls) of the inner and the outer ring of every ball."""
     number = np.zeros((2, max(record.bearings) + 1), dtype=int)
     side, owner = (record.fixed(f"ring_{name}") for name in ("raceway", "bearing"))
     guides = side != CAGE_RING
@@ -51,11 +55,13 @@ def _rings_of_balls(record):
 
 
 def atoms(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """One row for each sample and ball, cage ball or ring. A ring's spin is about its own axis.
-    `attrs`: `first` and the number of `samples`. Raises `RunError` if the record has no ball
-    motion."""
+    """Return a table with one row for each sample and ball, cage ball or ring.
+
+    The spin of a ring is about its own axis. The `attrs` of the table contain the `first` sample
+    and the number of `samples`. Raise `RunError` if the record has no ball motion.
+    """
     if "ball_x" not in record.variables:
-        raise RunError(f"{record.path} is a summary: it has no motion of balls")
+        raise RunError(f"{record.path} is a summary: it does not contain the motion of the balls")
     parts = []
     for kind, prefix, dimension in ((BALL, "ball_", "ball"), (CAGE, "cage_", "cage_ball")):
         if dimension in record.variables:
@@ -88,8 +94,8 @@ def atoms(record: Record, start: int, stop: int) -> pd.DataFrame:
 
 
 def ring_place(record: Record, side: int, start: int, stop: int) -> list[Floats]:
-    """Position x, y, z (m) of the centre of the ring of one `side`, and the ring's tilts about x
-    and y (rad); five arrays (N,)."""
+    """Return the position x, y, z (m) of the centre of the ring on one `side`, and its tilts about
+    x and y (rad), as five arrays (N,)."""
     record.need_one()
     here = int(np.flatnonzero(record.fixed("ring_raceway") == side)[0])
     names = [f"ring_{name}" for name in ("x", "y", "z", "tilt_1", "tilt_2")]
@@ -99,11 +105,12 @@ def ring_place(record: Record, side: int, start: int, stop: int) -> list[Floats]
 
 
 def rings(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """One row for each sample: step, time, motion of the inner ring and the forces on it."""
+    """Return a table with one row for each sample: step, time, motion of the inner ring and the
+    forces on it."""
     record.need_one()
     inner = int(np.flatnonzero(record.fixed("ring_raceway") == 0)[0])
     for axis in "xyz":
-        record.variables[f"ring_{axis}"]  # raises if the ring is missing
+        record.variables[f"ring_{axis}"]  # raises an error if the ring is missing
     names = record.timed("ring_")
     data = record.read(["step", "time", *names], start, stop)
     table = pd.DataFrame({"step": data["step"], "time": data["time"]})
@@ -116,10 +123,11 @@ def rings(record: Record, start: int, stop: int) -> pd.DataFrame:
 
 
 def totals(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """One row for each sample, indexed by its number: sums and extremes over the bearing."""
+    """Return a table of sums and extremes over the bearing, with one row for each sample, indexed
+    by the number of the sample."""
     record.need_one()
     for name in ("contacts", "loaded_balls", "pressure_inner", "pressure_outer", "cage_speed"):
-        record.variables[f"bearing_{name}"]  # raises if it is missing
+        record.variables[f"bearing_{name}"]  # raises an error if it is missing
     data = record.read(record.timed("bearing_"), start, stop)
     table = pd.DataFrame(
         {name.removeprefix("bearing_"): values[:, 0] for name, values in data.items()}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The datasets of a run from its record; values are read from the file on first use."""
+"""The datasets of a run, whose values are read from its record on first use."""
 
 from collections.abc import Mapping
 from functools import cached_property
@@ -22,7 +22,7 @@ ABOUT = ("bearing", "lubricant", "host", "integrator", "load_N", "rpm", "clearan
 
 
 class _InFile(BackendArray):
-    """A lazy variable with time; `of` is applied to its values."""
+    """A lazily read variable with a time dimension; `of` is applied to its values."""
 
     def __init__(self, record, name, samples, of=np.asarray):
         self.record, self.name, self.of = record, name, of
@@ -39,21 +39,21 @@ class _InFile(BackendArray):
     def _pick(self, at):
         time, *others = at
         if isinstance(time, slice) and time.step in (None, 1):
-            time = slice(*time.indices(self.shape[0]))  # without samples added after opening
+            time = slice(*time.indices(self.shape[0]))  # exclude samples added after opening
         return self.of(self.record.pick(self.name, (time, *others)))
 
 
 class Recorded:
-    """The datasets of the run `tables` for `Run`."""
+    """The datasets that `Run` provides for the run `tables`."""
 
     def __init__(self, tables: RunTables) -> None:
         self.tables, self.record = tables, tables.record
-        # the file may be growing, so all datasets of a run have the samples of the first read
+        # The file may be growing, so all datasets use the samples found by the first read.
         self._window = slice(tables.first, tables.last if len(self.record) else 0)
 
     @cached_property
     def _file(self):
-        """Every variable of contacts, balls, cage and rings, for the window and the bearing."""
+        """All variables of contacts, balls, cage and rings, for the window and the bearing."""
         record = self.record
         found = {
             name: self._in_file(name)[self._window]
@@ -75,7 +75,7 @@ class Recorded:
 
     @property
     def _of_one(self):
-        """True for a single bearing: only then are ball passes and the load zone defined."""
+        """True for a single bearing; ball passes and the load zone are defined only then."""
         return self.record.bearing is not None
 
     def _labelled(self, data):
@@ -92,7 +92,7 @@ class Recorded:
         return data
 
     def _azimuths(self, data, azimuth, from_load_line):
-        """`data` with these two `Variable`s as coordinates."""
+        """Return `data` with these two `Variable`s as coordinates."""
         found = [("azimuth", azimuth, CONTACT["azimuth"].meaning)]
         if self._of_one:
             found.append(
@@ -154,13 +154,13 @@ class Recorded:
             raise RunError(f"{self.record.path} has no {dimension.replace('_', ' ')}s")
         places = [f"ring_{kind}{axis}" for kind in ("", "origin_") for axis in "xy"]
         for name in [*(prefix + one for one in MOTION), *places]:
-            self.record.variables[name]  # raises if it is missing
+            self.record.variables[name]  # raises an error if it is missing
         data = self._file[[prefix + name for name in MOTION]]
         data = data.rename({prefix + name: name for name in MOTION})
         if dimension != "ball":
             data = data.rename({dimension: "ball"})
         data = self._labelled(data)
-        # the outer ring of each ball's bearing
+        # index of the outer ring that belongs to each ball
         outer = np.flatnonzero(self.record.fixed("ring_raceway") == 1)
         owners = self.record.fixed("ring_bearing")[outer]
         own = outer[np.searchsorted(owners, self.record.fixed(f"{dimension}_bearing"))]

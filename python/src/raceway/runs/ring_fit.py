@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness and damping of a bearing from small motions of its ring in a run: free decay, or
-vibration under varying loads.
+"""Stiffness and damping of a bearing, estimated from small motions of its ring in a run (free decay
+or vibration under varying loads).
 
-The force of the balls on the ring is fitted by f = f_0 - K q - C v, by least squares over all
-samples. K and C thus apply to the excited frequencies and include the balls' inertia and the film
-laws.
+The force of the balls on the ring is fitted by f = f_0 - K q - C v in a least-squares sense over
+all samples. K and C therefore apply to the excited frequencies and include the inertia of the balls
+and the film laws.
 """
 
 from collections.abc import Sequence
@@ -25,26 +25,27 @@ COLUMNS = {
     "rx": ("tilt_1", "mx"),
     "ry": ("tilt_2", "my"),
 }
-APART = 1e-4  # ratio of singular values below which two motions are not independent
+APART = 1e-4  # ratio of singular values below which motions count as dependent
 
 
 class Fit(NamedTuple):
-    """Fit of n degrees of freedom, SI units."""
+    """Fit for n degrees of freedom, in SI units."""
 
     stiffness: Floats  # (n, n)
     damping: Floats  # (n, n)
     stiffness_error: Floats  # (n, n), standard errors, provided that the residuals are noise
-    damping_error: Floats  # (n, n), likewise
-    left: Floats  # (n,), rms of each force's residual divided by the rms of its variation
+    damping_error: Floats  # (n, n), standard errors under the same assumption
+    left: Floats  # (n,), rms of the residual of each force divided by the rms of its variation
 
 
 def fitted(
     place: ArrayLike, velocity: ArrayLike, force: ArrayLike, others: ArrayLike | None = None
 ) -> Fit:
-    """`Fit` of the positions (N, n), velocities (N, n) and forces on the ring (N, n) of N samples.
+    """Return the `Fit` to the positions, velocities and forces on the ring (N, n) at N samples.
 
-    `others` (N, k) are further functions of time in the force, for instance a sine of the ball
-    pass. Raises `ValueError` for too few samples, or motions that are not independent.
+    `others` (N, k) are further functions of time that contribute to the force, for instance a sine
+    with the ball pass frequency. Raise `ValueError` if there are too few samples or if the motions
+    are not independent.
 
     >>> time = np.linspace(0, 1, 500)
     >>> place, velocity = np.sin(20 * time)[:, None], 20 * np.cos(20 * time)[:, None]
@@ -54,7 +55,9 @@ def fitted(
     """
     q, v, f = (np.asarray(one, float) for one in (place, velocity, force))
     if not (q.ndim == 2 and q.shape == v.shape == f.shape):
-        raise ValueError(f"places {q.shape}, velocities {v.shape}, forces {f.shape}: must agree")
+        raise ValueError(
+            f"positions {q.shape}, velocities {v.shape} and forces {f.shape} must agree"
+        )
     beside = np.zeros((len(q), 0)) if others is None else np.asarray(others, float)
     known = np.concatenate([q, v, beside], axis=1)
     known, free = known - known.mean(0), f - f.mean(0)
@@ -63,7 +66,7 @@ def fitted(
         raise ValueError(f"{samples} samples are too few for {columns} motions")
     size = np.sqrt((known**2).mean(0))
     if not size.all():
-        raise ValueError(f"motion {int(np.argmin(size))} of {columns} does not move")
+        raise ValueError(f"motion {int(np.argmin(size))} of {columns} is constant")
     left, singular, right = np.linalg.svd(known / size, full_matrices=False)
     if singular[-1] < APART * singular[0]:
         raise ValueError("the motions are not independent: excite each at its own frequency")
@@ -90,13 +93,15 @@ def of_run(
     until: float = np.inf,
     lines: Sequence[float] = (),
 ) -> Fit:
-    """`Fit` of the inner ring of `run` in `freedoms` (some of x, y, z, rx, ry), from the time
-    `since` on and before `until` (s), in the bearing's frame.
+    """Return the `Fit` for the inner ring of `run` in the degrees of freedom `freedoms`, which are
+    some of x, y, z, rx and ry in the frame of the bearing.
 
-    `lines` in rad/s are frequencies of the force that are not due to the motion, such as the
-    ball pass of a bearing under radial load. Velocities are derivatives of splines through the
-    displacements, so samples must be evenly spaced, ten or more per period. Raises `ValueError` as
-    `fitted` does, and `RunError` for an unknown degree of freedom or uneven samples.
+    The fit uses samples from the time `since` up to, but not including, `until` (s). `lines` (in
+    rad/s) are frequencies of the force that are not due to the motion, such as the ball pass
+    frequency of a bearing under radial load. Velocities are derivatives of splines through the
+    displacements, so the samples must be evenly spaced, with ten or more per period. Raise
+    `ValueError` in the same cases as `fitted`, and `RunError` for an unknown degree of freedom or
+    unevenly spaced samples.
     """
     from scipy.interpolate import CubicSpline
 
@@ -110,7 +115,7 @@ def of_run(
     place = np.stack([rings[COLUMNS[name][0]].to_numpy() for name in freedoms], axis=1)
     force = np.stack([rings[COLUMNS[name][1]].to_numpy() for name in freedoms], axis=1)
     velocity = CubicSpline(time, place).derivative()(time)
-    # a spline is one-sided at its ends
+    # The derivative of a spline is one-sided at its ends, so samples near the ends are not used.
     keep = (time >= since) & (time < until) & (time > time[3]) & (time < time[-4])
     sines = [wave(line * time) for line in lines for wave in (np.sin, np.cos)]
     others = np.stack(sines, axis=1)[keep] if sines else None

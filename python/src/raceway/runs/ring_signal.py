@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Columns of a ring of a run as signals."""
+"""Columns of a ring in a run as signals."""
 
 from typing import TYPE_CHECKING
 
@@ -15,8 +15,10 @@ if TYPE_CHECKING:
 
 
 def of_run(run: "Run", name: str, ring: str = "inner") -> Signal:
-    """`Signal` of a column of a `ring` of `run`, "inner" or "outer". Raises `RunError` for a column
-    that the run does not have, and for fewer than 32 samples."""
+    """Return the `Signal` of a column of the "inner" or "outer" `ring` of `run`.
+
+    Raise `RunError` if the run does not have the column or has fewer than 32 samples.
+    """
     values, where, known = (_of_inner if ring == "inner" else _of_outer)(run, name)
     if values is None:
         raise RunError(f"{where} has no column {name}; it has {', '.join(known)}")
@@ -26,7 +28,7 @@ def of_run(run: "Run", name: str, ring: str = "inner") -> Signal:
 
 
 def of_column(name: str, ring: str = "inner") -> dict[str, str]:
-    """Unit and meaning of a column of a ring, as attributes."""
+    """Return the unit and the meaning of a column of a ring as attributes."""
     column = RING.get(name)
     meaning = column.meaning.replace("inner ring", f"{ring} ring") if column else name
     return {"units": column.unit if column else "", "long_name": meaning}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run as labelled arrays: `raceway.open` returns an object with a dataset for each component of
-the bearing."""
+"""A run as labelled arrays: `raceway.open` returns a `Run`, which has a dataset for each component
+of the bearing."""
 
 import math
 from collections.abc import Iterator
@@ -31,31 +31,32 @@ IN_BLOCKS = ("contacts", "balls", "cage")
 
 
 class Run:
-    """The run in `folder`. Each dataset is read on first use; all values are in SI units, given in
-    `attrs`.
+    """The run in `folder`.
+
+    Each dataset is read on first use. All values are in SI units, which are stated in `attrs`.
 
     - `contacts`: (time, raceway, ball) every recorded column of each contact; `azimuth` and
-      `from_load_line` (rad, the latter counted from the centre of the load zone) are coordinates
-    - `balls`, `cage`: (time, ball) position (m), velocity (m/s), spin (rad/s) of balls and cage
-      balls; `azimuth` and `from_load_line` about the outer ring
-    - `rings`: (time) displacement, velocity and spin of the inner ring, force and moment of the
-      balls on it
-    - `bearing`: (time) sums and extremes over the contacts: capacitance, balls loaded, largest
-      loads, losses
-    - `heat`: (thermal_time) temperatures, losses and clearance from jump to jump, for a run with
-      fix bearing/heat
+      `from_load_line` (rad, measured from the centre of the load zone) are coordinates
+    - `balls`, `cage`: (time, ball) position (m), velocity (m/s) and spin (rad/s) of balls and cage
+      balls; `azimuth` and `from_load_line` are angles about the outer ring
+    - `rings`: (time) displacement, velocity and spin of the inner ring, and the force and moment
+      that the balls exert on it
+    - `bearing`: (time) sums and extremes over the contacts: capacitance, number of loaded balls,
+      largest loads, losses
+    - `heat`: (thermal_time) temperatures, losses and clearance at each jump, for a run with fix
+      bearing/heat
 
     Every variable is also an attribute: `run.contacts.mu`. Names that cannot be attributes have a
     second name: `Q` for `load`, `lambda_ratio` for `lambda`, `radial_displacement` for `shift`.
 
     `time` is in s from the start of the measured window, with the same values in all datasets;
-    `passes` is the same time in ball passes. `ball` is the atom number, `raceway` "inner" or
-    "outer", or for rings of two grooves "inner 0", "inner 1", "outer 0" or "outer 1". Without
-    contact, quantities that vanish with the contact (load, pressure, capacitance ...) are 0 and
+    `passes` is the same time in ball passes. `ball` is the atom number, and `raceway` is "inner" or
+    "outer", or "inner 0", "inner 1", "outer 0" or "outer 1" for rings with two grooves. If there is
+    no contact, quantities that vanish with the contact (load, pressure, capacitance ...) are 0 and
     undefined quantities (film, angle ...) are NaN.
 
-    `samples`, a slice without step, selects some samples. The memory for `blocks` and `bearing`
-    does not grow with the length of the run; the memory for the other datasets does.
+    `samples`, a slice without a step, selects a range of samples. The memory needed for `blocks`
+    and `bearing` does not grow with the length of the run; the memory for the other datasets does.
 
     Raises `RunError` if the record is missing or broken, or if `run.yaml` belongs to another run.
     An unfinished run can be read up to its latest sample.
@@ -72,7 +73,7 @@ class Run:
         return self.tables.record.bearings
 
     def select(self, number: int) -> "Run":
-        """One bearing of the same run. Raises `RunError` for an unknown number."""
+        """Return the bearing `number` of the same run; raise `RunError` for an unknown number."""
         if number not in self.bearing_numbers:
             raise RunError(
                 f"{self.tables.folder} has the bearings {self.bearing_numbers[0]} to"
@@ -99,15 +100,14 @@ class Run:
 
     @property
     def settings(self) -> dict[str, Any]:
-        """Settings of the run by the keys of `run.yaml`: names as text, all other values as numbers
-        in the units at the end of their keys."""
+        """Settings of the run, with the keys of `run.yaml`: names are text, and all other values
+        are numbers in the unit at the end of the key."""
         return self.tables.settings
 
     @property
     def flaws(self) -> dict[str, str]:
-        """Words of fix bearing/profile by raceway, "inner" and "outer", and by ball, "ball 1" for
-        atom number 1; parts without flaws are omitted. Raises `RunError` unless one bearing has
-        been chosen."""
+        """Arguments of fix bearing/profile for each flawed part: "inner", "outer", or, for the ball
+        with atom number 1, "ball 1". Raises `RunError` unless one bearing has been selected."""
         self.tables.record.need_one()
         return by_part(self.settings)
 
@@ -138,15 +138,15 @@ class Run:
 
     @cached_property
     def heat(self) -> xr.Dataset:
-        """Dataset (thermal_time) of the temperatures of fix bearing/heat from jump to jump. Raises
-        `RunError` without its table."""
+        """Dataset (thermal_time) of the temperatures that fix bearing/heat wrote at each jump.
+        Raises `RunError` if its table is missing."""
         return transient(self.tables.folder)
 
     def blocks(self, name: str) -> Iterator[xr.Dataset]:
-        """Yield the dataset `name`, "contacts", "balls" or "cage", in blocks of some thousand
-        samples.
+        """Yield the dataset `name`, which is "contacts", "balls" or "cage", in blocks of a few
+        thousand samples.
 
-        Raises `ValueError` for another name.
+        Raise `ValueError` for any other name.
         """
         if name not in IN_BLOCKS:
             raise ValueError(f"no dataset '{name}' in blocks; there are {', '.join(IN_BLOCKS)}")
@@ -154,7 +154,7 @@ class Run:
             yield getattr(Recorded(self.tables.window(slice(*part))), name)
 
     def summary(self) -> dict[str, str | float | None]:
-        """The figures that `raceway summary` prints, by name: `raceway.summary.summary`."""
+        """Return the results that `raceway summary` prints, keyed by name."""
         return summary(self.tables)
 
     @property
@@ -164,12 +164,12 @@ class Run:
 
     @property
     def motion(self) -> Motion:
-        """Mean speeds of rings, cage and balls, rad/s."""
+        """Mean speeds of rings, cage and balls in rad/s."""
         return self.tables.motion
 
     @property
     def nominal_angle(self) -> float:
-        """Contact angle of the bearing in rad without load, 0 if its file states none."""
+        """Contact angle of the unloaded bearing in rad, or 0 if its file does not state one."""
         return math.radians(self.settings.get("contact_angle_deg", 0))
 
     @property
@@ -183,22 +183,22 @@ class Run:
         return title(self.tables)
 
     def signal(self, name: str = "shift", ring: str = "inner") -> Signal:
-        """Samples of a column of a ring, with their spacing, unit and meaning:
+        """Return the samples of a column of a ring with their spacing, unit and meaning; see
         `ring_signal.of_run`."""
         return ring_signal.of_run(self, name, ring)
 
     def shaft_angle(self, samples: int | None = None) -> Floats:
-        """Angle (N,) in rad of the inner relative to the outer ring, at all samples or the first
-        `samples`."""
+        """Return the angle (N,) in rad of the inner ring relative to the outer ring, at all samples
+        or at the first `samples`."""
         return self.tables.turning.shaft(self.tables.first, self.tables.last)[:samples]
 
     def shaft_speed(self, samples: int | None = None) -> Floats:
-        """Speed (N,) in rad/s of the inner relative to the outer ring, at all samples or the first
-        `samples`."""
+        """Return the speed (N,) in rad/s of the inner ring relative to the outer ring, at all
+        samples or at the first `samples`."""
         return self.tables.turning.shaft_speed(self.tables.first, self.tables.last)[:samples]
 
     def universe(self) -> "Universe":
-        """The run for MDAnalysis: `raceway.runs.universe`."""
+        """Return the run as an MDAnalysis `Universe`; see `raceway.runs.universe`."""
         from raceway.runs.universe import universe  # importing MDAnalysis takes a second
 
         return universe(self.tables)

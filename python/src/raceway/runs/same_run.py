@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Check that a record and its `run.yaml` belong to the same run, by the settings in both."""
+"""Check that a record and its `run.yaml` belong to the same run by comparing their settings."""
 
 import math
 from collections.abc import Mapping
@@ -13,9 +13,11 @@ VARIABLES = "deck_variables"  # YAML may have removed quotation marks from other
 
 
 def need_same_run(record: Record, said: Mapping[str, Any]) -> None:
-    """Raise `RunError` if the `record` contradicts `said`, the texts of `run.yaml` by name, in a
-    number, in the variables of the deck or, for a finished run, in the length of the run."""
-    # differences in the deck's variables cause other differences, so they come first
+    """Raise `RunError` if the `record` contradicts `said`, the contents of `run.yaml` as text.
+
+    Compare all numbers, the variables of the deck and, for a finished run, its length.
+    """
+    # Differences in the deck's variables cause other differences, so they are checked first.
     for key in (VARIABLES, *record.attrs):
         if key not in said or key not in record.attrs:
             continue
@@ -25,8 +27,8 @@ def need_same_run(record: Record, said: Mapping[str, Any]) -> None:
             _refuse(record, key, *(_without(*two) for two in ((own, other), (other, own))))
         if isinstance(own, float) and not _close(own, said[key]):
             _refuse(record, key, f"{own:g}", said[key])
-    # before the run ends, its record may already be longer than stated in the run.yaml of an
-    # earlier run of the deck
+    # Before the run ends, its record may already be longer than stated in the run.yaml of an
+    # earlier run of the deck.
     if "simulated_s" in said and record.fixed("finished") and len(record):
         last, known = float(record.pick("time", (len(record) - 1,))), float(said["simulated_s"])
         if abs(last - known) > 0.5 * record.attrs["sample_s"]:
@@ -46,6 +48,6 @@ def _without(words, others):
 
 def _refuse(record, key, own, other):
     raise RunError(
-        f"{record.path} is of another run than run.yaml: {key} is {own} in the record, {other} in"
-        " run.yaml"
+        f"{record.path} belongs to a different run than run.yaml: {key} is {own} in the record,"
+        f" but {other} in run.yaml"
     )

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Signal of an accelerometer on a ring or its housing: the record at a lower sampling rate.
+"""Signal of an accelerometer on a ring or its housing, i.e. the record at a lower sampling rate.
 
-A record of integrator vibration has several samples for each sample of the sensor. A filter removes
-the frequencies above half the lower rate before samples are dropped. Noise is optional.
+A record from the integrator `vibration` has several samples for each sample of the sensor. A filter
+removes the frequencies above half of the lower rate before samples are dropped. Noise is optional.
 """
 
 from collections.abc import Sequence
@@ -17,19 +17,18 @@ from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs.run import Run
 
-PASSED = 0.4  # pass band relative to the new rate; its ripple is STOPPED below the signal
+PASSED = 0.4  # pass band relative to the new rate; its ripple is STOPPED dB below the signal
 STOPPED = 80.0  # dB, attenuation above half the new rate
 LARGEST = 1000  # largest integer in the ratio of the two rates
 
 
 def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
-    """Evenly sampled `values` (N,), `sample_s` apart, resampled at `rate` in Hz: an array (M,) with
-    the same unit and the same start.
+    """Resample evenly sampled `values` (N,), which are `sample_s` apart, at `rate` in Hz.
 
-    A Kaiser-windowed FIR filter without delay is applied first: flat up to 0.4 of the rate, 80 dB
-    down above half of it. Its end effects extend over about 25 values at either end.
-    Raises `ValueError` for a rate above the rate of the values, and if the rates do not have a
-    ratio of integers below 1000.
+    Return an array (M,) with the same unit and the same start. A Kaiser-windowed FIR filter without
+    delay is applied first. It is flat up to 0.4 times the rate and 80 dB down above half of the
+    rate; its end effects extend over about 25 values at either end. Raise `ValueError` if the rate
+    is above that of the values, or if the ratio of the rates is not a ratio of integers below 1000.
 
     >>> time = np.arange(19200) / 192e3
     >>> kept = decimated(np.sin(2 * np.pi * 5e3 * time), 1 / 192e3, 48e3)
@@ -49,13 +48,13 @@ def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
     if share == 1:
         return values.copy()
     up, down = share.numerator, share.denominator
-    # half the new rate, divided by half the rate of the filter, which is `up` times the rate of the
-    # values
+    # Half of the new rate divided by half of the filter's rate, which is `up` times the rate of the
+    # values.
     edge = 1 / down
     taps, beta = signal.kaiserord(STOPPED, edge * (1 - 2 * PASSED))
     middle = edge * (0.5 + PASSED)
     window = signal.firwin(taps | 1, middle, window=("kaiser", beta))
-    mean = values.mean()  # avoids a step at the ends
+    mean = values.mean()  # subtracted to avoid a step at the ends
     return signal.resample_poly(values - mean, up, down, window=window) + mean
 
 
@@ -67,14 +66,15 @@ def of_run(
     noise: float = 0.0,
     seed: int | Sequence[int] | None = None,
 ) -> xr.DataArray:
-    """Sensor signal of a column of a ring of `run`: `DataArray` (time), unit of the column.
+    """Return the sensor signal of a column of a ring of `run` as a `DataArray` (time) in the unit
+    of the column.
 
-    `ring` is "inner" or "outer", `rate` in Hz (None: as recorded). `noise` is the standard
-    deviation of white noise in the column's unit, from `seed`; 0 adds none. A fixed outer ring has
-    no acceleration: the deck needs a housing.
+    `ring` is "inner" or "outer", and `rate` is in Hz (None: as recorded). `noise` is the standard
+    deviation of white noise in the unit of the column, generated from `seed`; 0 adds no noise. A
+    fixed outer ring has no acceleration, so the deck must have a housing.
 
-    Raises `RunError` for a run without such a column, for a ring that does not move, and for a rate
-    as `decimated` does.
+    Raise `RunError` if the run has no such column, if the ring does not move, or if the rate is not
+    valid for `decimated`.
     """
     values, sample_s, attrs = run.signal(name, ring)
     if not np.ptp(values) > 0:

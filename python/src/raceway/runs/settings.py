@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settings of a run by the keys of `run.yaml`. They come from the record or, if written only at the
-end of the run, from `run.yaml` in the same folder.
+"""Settings of a run, with the keys of `run.yaml`. They are read from the record, or, if they are
+written only at the end of the run, from `run.yaml` in the same folder.
 
-Load, speed and length are measured as means over the record if the deck did not record them.
+If the deck did not record load, speed and length, they are measured as means over the record.
 """
 
 from collections.abc import Callable, Mapping
@@ -16,22 +16,25 @@ from raceway.errors import RunError
 from raceway.runs.record import Record
 from raceway.runs.same_run import need_same_run
 
-# written last; missing in an unfinished run
+# written at the end, so they are missing in an unfinished run
 AT_THE_END = ("step_s", "simulated_s", "wall_s")
-COST = ("processor_s", "evaluations")  # also written by runs that record their cost
+COST = ("processor_s", "evaluations")  # written in addition by runs that record their cost
 LUBRICANT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m")
 NO_LUBRICANT = ("dry", "none")
 MEASURED = ("load_N", "load_azimuth_rad", "rpm", "samples_per_pass", "passes")
-OF_ALL = ("pair_commands", "named_bearings", "bearing_names")  # of all bearings of a record
+OF_ALL = ("pair_commands", "named_bearings", "bearing_names")  # for all bearings of a record
 TEXT = ("bearing", "lubricant")
 RAD_S = np.pi / 30  # rad/s per revolution per minute
-NO_LOAD = 1e-9  # radial load over forces on rings, below which its direction is rounding error
+NO_LOAD = 1e-9  # ratio of radial load to ring forces below which its direction is rounding error
 
 
 class Settings(dict[str, Any]):
-    """`values` by key: text, or numbers in the units at the end of their keys. A key may be missing
-    because it requires the choice of one bearing, or a measurement; accessing one of the `needed`
-    keys then raises `RunError` with the reason."""
+    """Settings that map a key to text, or to a number in the unit at the end of the key.
+
+    A key may be missing because one bearing has to be selected first or because a measurement needs
+    samples. Accessing a missing key calls the functions `needed`, which raise `RunError` with the
+    reason.
+    """
 
     def __init__(self, values: Mapping[str, Any], needed: tuple[Callable[[], None], ...]) -> None:
         super().__init__(values)
@@ -44,8 +47,10 @@ class Settings(dict[str, Any]):
 
 
 def settings(record: Record) -> Settings:
-    """Settings of the run of `record`. Raises `RunError` for a `run.yaml` that is broken or belongs
-    to another run."""
+    """Return the settings of the run that wrote `record`.
+
+    Raise `RunError` if `run.yaml` is broken or belongs to another run.
+    """
     path = record.path.with_name("run.yaml")
     beside = _said(path)
     end = _the_end(path, beside)
@@ -64,17 +69,21 @@ def settings(record: Record) -> Settings:
 
 
 def deck_words(settings: Mapping[str, Any]) -> dict[str, str]:
-    """Variables of the main deck by name, as the run recorded them; empty for other decks."""
+    """Return {name: value} for the main deck's variables as recorded by the run.
+
+    The dict is empty for other decks.
+    """
     recorded = str(settings.get("deck_variables", ""))
     return dict(word.split("=", 1) for word in recorded.split(",") if "=" in word)
 
 
 SIZES = ("ball_diameter", "inner_radius", "outer_radius", "inner_groove", "outer_groove")
-BODY = {"balls": 1e6, "ball_young": 1e15, **dict.fromkeys(SIZES, 100.0)}  # largest, SI
+BODY = {"balls": 1e6, "ball_young": 1e15, **dict.fromkeys(SIZES, 100.0)}  # upper limits, SI units
 
 
 def _named(record):
-    """Data of the chosen bearing from the deck's commands, in a record with several names."""
+    """Return data of the selected bearing from the deck's commands, for a record with several
+    bearing names."""
     lines = str(record.attrs.get("named_bearings", "")).splitlines()
     numbers = str(record.attrs.get("bearing_names", "")).split()
     if record.bearing is None or len(numbers) != len(record.bearings):
@@ -99,7 +108,7 @@ def _bearing(record):
             )
     if value["balls"] != len(record.fixed("ball")):
         raise RunError(
-            f"{record.path}: balls is {value['balls']:g}, it has {len(record.fixed('ball'))}"
+            f"{record.path}: balls is {value['balls']:g}, but it has {len(record.fixed('ball'))}"
         )
     wet = np.isfinite(value["viscosity"])
     rings = dict(zip(record.fixed("ring_raceway").tolist(), record.fixed("ring").tolist()))
@@ -108,7 +117,7 @@ def _bearing(record):
         "balls": int(value["balls"]),
         "ball_diameter_m": value["ball_diameter"],
         "inner_radius_m": value["inner_radius"],
-        # value of the bearing without clearance, which is given separately
+        # without the clearance, which is given separately
         "outer_radius_m": value["outer_radius"] - value["clearance"] / 2,
         "inner_groove_m": value["inner_groove"],
         "outer_groove_m": value["outer_groove"],
@@ -134,7 +143,7 @@ def _measured(record, told):
     found = record.read([f"ring_{name}" for name in ("fx", "fy", "fz", "x", "y")])
     inner = {name: values[:, side == 0] for name, values in found.items()}
     force = np.sqrt(sum(found[f"ring_f{name}"] ** 2 for name in "xyz")).mean(axis=0).max()
-    # the load is opposite to the force of the balls on the inner ring
+    # The load is opposite to the force of the balls on the inner ring.
     x, y = (-float(inner[name].mean()) for name in ("ring_fx", "ring_fy"))
     along = (x, y)
     if np.hypot(x, y) <= NO_LOAD * force:  # use the direction of the displacement instead
@@ -152,8 +161,10 @@ def _measured(record, told):
 
 
 def _said(path: Path) -> dict[str, Any]:
-    """Content of `run.yaml`, all as text, because 6208 is a name. Empty if the file is missing, or
-    incomplete because the run is still writing it."""
+    """Return the contents of `run.yaml` as text, because 6208 is a name.
+
+    The result is empty if the file is missing, or incomplete because the run is still writing it.
+    """
     if not path.exists():
         return {}
     data = yaml_file.read(path, RunError)
@@ -161,7 +172,7 @@ def _said(path: Path) -> dict[str, Any]:
 
 
 def _the_end(path: Path, said: Mapping[str, Any]) -> dict[str, float]:
-    """Entries of `run.yaml` (`said`) about the end of a run, if present."""
+    """Return the entries of `run.yaml` (`said`) that a run writes at its end, if present."""
     found = {}
     for key in (key for key in (*AT_THE_END, *COST) if key in said):
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settling of a run: the remaining change of its means from one ball pass to the next."""
+"""Settling of a run, measured by the change of its means from one ball pass to the next."""
 
 import math
 
@@ -20,13 +20,14 @@ KEYS = {
 
 
 def settling(tables: RunTables) -> dict[str, float | None]:
-    """Changes between the last two ball passes of the window, or between the halves of a window
-    with fewer than two. These are the relative changes of mean friction torque, largest load on
-    either raceway and cage speed, and `settled_spin_axis_rad`, the angle between the balls' mean
-    spin axes, weighted by load. None if the run has not recorded a quantity, or if the speed of the
-    rings changes.
+    """Return the changes between the last two ball passes of the window, or between its two halves
+    if the window has fewer than two passes.
 
-    Formulas: `src-package/core/figures/settling.h`."""
+    They are the relative changes of the mean friction torque, of the largest load on either raceway
+    and of the cage speed, and `settled_spin_axis_rad`, the angle between the load-weighted mean
+    spin axes of the balls. A change is None if the run has not recorded the quantity, or if the
+    speed of the rings changes. The formulas are in `src-package/core/figures/settling.h`.
+    """
     result: dict[str, float | None] = dict.fromkeys(KEYS.values())
     first, last = max(tables.first, 1), tables.last
     turning = tables.turning
@@ -37,7 +38,7 @@ def settling(tables: RunTables) -> dict[str, float | None]:
     first = last - 2 * half
     totals = tables.totals.loc[first : last - 1]
     losses = [totals[name] for name in LOSSES.values() if name in totals]
-    # the cage's speed is recorded once per step
+    # The cage speed is recorded once per step.
     power = sum(losses).ffill().bfill() if losses else None
     balls = _balls(tables, first, last)
     found = library().call(
@@ -61,7 +62,7 @@ def settling(tables: RunTables) -> dict[str, float | None]:
 
 
 def _half(tables, first, last):
-    """Samples of a ball pass, at most half of the window."""
+    """Return the number of samples in a ball pass, at most half of the window."""
     most = (last - first) // 2
     passes = tables.turning.passes([first, last - 1])
     a_sample = abs(float(passes[1] - passes[0])) / (last - 1 - first)
@@ -71,8 +72,8 @@ def _half(tables, first, last):
 
 
 def _balls(tables, first, last):
-    """Loads (N,), positions relative to the bearing's centre (m) and spins (rad/s) by sample and
-    ball; no balls if the run has not recorded them."""
+    """Return loads (N), positions relative to the bearing's centre (m) and spins (rad/s) for each
+    sample and ball; the arrays are empty if the run has not recorded them."""
     record, samples = tables.record, last - first
     try:
         load = record.read(["load"], first, last)["load"].sum(axis=1)

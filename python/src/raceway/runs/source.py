@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing with signals: a run of the simulation, or a recording of a real bearing.
+"""Interface to a source of signals: a simulated run, or a recording of a real bearing.
 
-Spectra, envelopes, pictures and spall lengths require only a `Source`, so they apply to runs and
-recordings in the same way.
+Spectra, envelopes, pictures and spall lengths require only a `Source`, so they can be used for runs
+and recordings in the same way.
 """
 
 from typing import NamedTuple, Protocol
@@ -13,11 +13,11 @@ from raceway.theory.bearing import Bearing
 
 
 class Signal(NamedTuple):
-    """Evenly sampled values of one column or channel."""
+    """Evenly sampled values of a column or channel."""
 
     values: Floats  # (N,)
-    sample_s: float  # s from one value to the next
-    attrs: dict[str, str]  # units, long_name
+    sample_s: float  # s, time between successive values
+    attrs: dict[str, str]  # units and long_name
 
 
 class Source(Protocol):
@@ -25,7 +25,7 @@ class Source(Protocol):
 
     @property
     def geometry(self) -> Bearing:
-        """The bearing."""
+        """The bearing that the signals come from."""
 
     @property
     def motion(self) -> Motion:
@@ -33,23 +33,26 @@ class Source(Protocol):
 
     @property
     def nominal_angle(self) -> float:
-        """Contact angle in rad without load."""
+        """Contact angle in rad of the unloaded bearing."""
 
     @property
     def where(self) -> str:
-        """Folder or file, for messages."""
+        """Folder or file that is named in messages."""
 
     @property
     def title(self) -> str:
-        """Operating point in one line, for pictures."""
+        """One-line description of the operating point, for pictures."""
 
     def signal(self, name: str, ring: str = "inner") -> Signal:
-        """`Signal` of a column of a ring, or of a channel. Raises `RacewayError`."""
+        """Return the `Signal` of a column of a ring, or of a channel.
+
+        Raise `RacewayError` if there is no such signal.
+        """
 
     def shaft_angle(self, samples: int) -> Floats:
-        """Angle (`samples`,) in rad of the inner relative to the outer ring at the samples of a
-        signal."""
+        """Return the angle (`samples`,) in rad of the inner ring relative to the outer ring at the
+        samples of a signal."""
 
     def shaft_speed(self, samples: int) -> Floats:
-        """Speed (`samples`,) in rad/s of the inner relative to the outer ring at the samples of a
-        signal."""
+        """Return the speed (`samples`,) in rad/s of the inner ring relative to the outer ring at
+        the samples of a signal."""

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spectra of evenly sampled columns of a run, and the lines expected from the bearing's
-kinematics.
+"""Spectra of evenly sampled columns of a run, and the lines expected from the kinematics of the
+bearing.
 
 A perfect bearing shows BPFO and its harmonics, because its stiffness varies as the balls pass the
 load. The other lines (FTF, BSF, BPFI) need an irregularity, such as an odd ball or a flaw; without
-an irregularity they are reported as not found.
+one, they are reported as not found.
 
-An order is a multiple of the inner ring's speed relative to the outer ring. Where that speed
-changes, spectra are over orders (`runs.order_tracking`).
+An order is a multiple of the speed of the inner ring relative to the outer ring. If this speed
+changes, spectra are functions of order instead of frequency (`runs.order_tracking`).
 """
 
 import math
@@ -24,46 +24,46 @@ from raceway.runs.source import Signal, Source
 from raceway.theory import kinematics
 from raceway.theory.bearing import Bearing
 
-# Four-term Blackman-Harris: side lobes are 92 dB below the line, so a faint line is visible next to
-# a strong one. Near its peak the logarithm is a parabola to 1e-3 of a bin. The main lobe is 8 bins
-# wide (Harris, Proc. IEEE 66 (1978) 51).
+# The side lobes of the four-term Blackman-Harris window are 92 dB below the line, so a faint line
+# is visible next to a strong one. Near the peak, its logarithm is a parabola to within 1e-3 of a
+# bin. The main lobe is 8 bins wide (Harris, Proc. IEEE 66 (1978) 51).
 WINDOW, HALF_WIDTH = "blackmanharris", 4
-PAD = 8  # least number of values per bin of 1/duration
-# minimum number of periods in the record for a line distinct from the mean
+PAD = 8  # minimum number of values per bin of width 1/duration
+# minimum number of periods in the record that separates a line from the mean
 RESOLVED = HALF_WIDTH + 1.5
 STANDS_OUT = 10.0  # minimum amplitude of a line, in multiples of the median around it
 FAINT = 1e-4  # minimum amplitude relative to the strongest line; side lobes are at 2.5e-5
 NAMES = {"cage": "FTF", "spin": "BSF", "outer": "BPFO", "inner": "BPFI"}
-SHAFT = "shaft"  # the inner ring: unbalance
-# if the outer ring rotates: its rotation, and the rate at which balls pass the load
+SHAFT = "shaft"  # rotation of the inner ring, for instance due to unbalance
+# lines added if the outer ring rotates: its rotation, and the rate at which balls pass the load
 OUTER_RING, COMPLIANCE = "outer ring", "VC"
 
 
 class Line(NamedTuple):
-    """An expected line of a spectrum, and the line found."""
+    """An expected line of a spectrum, and the line that was found."""
 
     name: str  # FTF, BSF, BPFO, BPFI, shaft, outer ring, VC
     harmonic: int
-    order: float  # in the run: multiple of the inner ring's speed relative to the outer ring
-    expected: float  # from rolling without slip, in `unit`
+    order: float  # order in the run, a multiple of the inner ring's speed relative to the outer one
+    expected: float  # value for rolling without slip, in `unit`
     found: float  # peak nearest to `by_cage`; NaN if there is no distinct peak
     difference: float  # found/expected - 1
     amplitude: float  # peak, or value of the spectrum at `by_cage`, in the unit of the signal
-    prominence: float  # amplitude over the median of the spectrum around it
-    note: str  # reason if nothing was found, or ""
-    by_cage: float = math.nan  # expected from the run's own cage and balls, with their slip
-    unit: str = "Hz"  # of expected, found and by_cage; "order" if the speed changes
+    prominence: float  # ratio of the amplitude to the median of the spectrum around it
+    note: str  # reason why nothing was found, or ""
+    by_cage: float = math.nan  # value for the cage and balls of the run, including their slip
+    unit: str = "Hz"  # unit of expected, found and by_cage; "order" if the speed changes
 
 
 def spectrum(values: ArrayLike, sample_s: float) -> xr.DataArray:
-    """One-sided amplitude spectrum of evenly sampled `values` (array), `sample_s` apart:
-    `DataArray` (frequency) in Hz.
+    """Return the one-sided amplitude spectrum of evenly sampled `values` (array), which are
+    `sample_s` apart, as a `DataArray` (frequency) with frequencies in Hz.
 
     The values are detrended and a Blackman-Harris window is applied; a sine of amplitude A has a
-    peak of A. Zero padding makes the frequencies finer than the resolution of the record
+    peak of A. Zero padding makes the frequency spacing finer than the resolution of the record
     (`attrs["resolution"]`, Hz).
 
-    Raises `ValueError` for fewer than 32 values or a value that is not finite.
+    Raise `ValueError` if there are fewer than 32 values or if a value is not finite.
 
     >>> time = np.arange(2000) * 1e-3
     >>> one = spectrum(3.0 + 2.0 * np.sin(2 * np.pi * 123.4 * time), 1e-3)
@@ -88,19 +88,21 @@ def spectrum(values: ArrayLike, sample_s: float) -> xr.DataArray:
 def of_run(
     run: Source, name: str = "shift", ring: str = "inner", orders: bool | None = None
 ) -> xr.DataArray:
-    """`spectrum` of a column of a ring of `run` (from `raceway.open`): `shift`, `x`, `fy`, `mz`,
-    `ay`, `capacitance` ... of the "inner" `ring`; the "outer" ring has columns of motion and force.
-    For a recording (`raceway.recording`), `name` is a channel.
+    """Return the `spectrum` of one column of `run` (from `raceway.open`) for the given `ring`.
 
-    Its dimension is frequency (Hz), or order if the speed of the shaft changes by more than 1 %;
-    `orders` overrides the choice. Raises `RunError` if the run has no such column, too few
-    samples, or a shaft that reverses.
+    The columns of the "inner" ring are `shift`, `x`, `fy`, `mz`, `ay`, `capacitance` ...; the
+    "outer" ring has only columns of motion and force. For a recording (`raceway.recording`), `name`
+    is a channel.
+
+    The dimension of the result is frequency (Hz), or order if the shaft speed changes by more than
+    1 %; `orders` overrides this choice. Raise `RunError` if the run has no such column or too few
+    samples, or if the shaft reverses.
     """
     return of_signal(run, run.signal(name, ring), orders)
 
 
 def of_signal(of: Source, signal: Signal, orders: bool | None = None) -> xr.DataArray:
-    """`spectrum` of a `signal` of a run or recording `of`; otherwise like `of_run`."""
+    """Return the `spectrum` of a `signal` of a run or recording `of`; see `of_run` for details."""
     values, spacing, tracked = order_tracking.tracked(of, signal, orders)
     result = spectrum(values, spacing)
     if tracked:
@@ -111,8 +113,8 @@ def of_signal(of: Source, signal: Signal, orders: bool | None = None) -> xr.Data
 
 
 def signal_of(of: Source, name: str, ring: str = "inner") -> Floats:
-    """Samples (N,) of a column of a `ring` of a run, "inner" or "outer", or of a channel of a
-    recording. Raises `RacewayError` as `of_run` does."""
+    """Return the samples (N,) of a column of the "inner" or "outer" `ring` of a run, or of a
+    channel of a recording. Raise `RacewayError` in the same cases as `of_run`."""
     return of.signal(name, ring).values
 
 
@@ -127,14 +129,16 @@ def expected(
     cage: float | None = None,
     spin: float | None = None,
 ) -> dict[tuple[str, int], tuple[float, float]]:
-    """{(name, harmonic): (order, frequency in Hz)} for rings at the speeds `inner` and `outer` in
-    Hz, from the kinematics of rolling balls. If the speed `cage` in Hz is given, FTF, BPFO and BPFI
-    follow from it; if `spin`, the speed of the balls relative to the cage in Hz, is given, BSF
-    follows from it.
+    """Return {(name, harmonic): (order, frequency in Hz)} for rings with the speeds `inner` and
+    `outer` in Hz.
 
-    `sidebands` adds the sidebands of a flaw modulated by load or cage: BPFI with the shaft, BPFO
-    with a rotating outer ring, and the even harmonics of BSF, the impact rate of a ball flaw,
-    with FTF. Orders are NaN for rings without relative speed.
+    The values follow from the kinematics of rolling balls. If the speed `cage` in Hz is given, FTF,
+    BPFO and BPFI follow from it; if `spin`, the speed of the balls relative to the cage in Hz, is
+    given, BSF follows from it.
+
+    `sidebands` adds the sidebands of a flaw that is modulated by the load or the cage: BPFI with
+    the shaft, BPFO with a rotating outer ring, and the even harmonics of BSF, which are the impact
+    rate of a ball flaw, with FTF. Orders are NaN if the rings have no relative speed.
     """
     of = kinematics.frequencies(bearing, angle, inner, outer)._asdict()
     if cage is not None:
@@ -160,8 +164,11 @@ def expected(
 
 
 def contact_angle(of: Source) -> float:
-    """Contact angle in rad: the mean over the contacts of a run. Without contacts, the nominal
-    angle of the bearing or, if that is 0, the angle at which balls roll at the cage's speed."""
+    """Return the contact angle in rad, which is the mean over the contacts of a run.
+
+    If there are no contacts, return the nominal angle of the bearing or, if it is 0, the angle at
+    which rolling balls give the cage speed.
+    """
     motion, nominal = of.motion, of.nominal_angle
     if math.isfinite(motion.angle):
         return motion.angle
@@ -178,8 +185,11 @@ def places(
     sidebands: bool = False,
     own: bool = True,
 ) -> dict[tuple[str, int], tuple[float, float]]:
-    """`expected` at the measured speeds of `run`: for its `own` cage and balls, or for balls that
-    roll at a contact `angle` in rad, by default `contact_angle`."""
+    """Return the lines `expected` at the measured speeds of `run`.
+
+    They apply to the speeds of its `own` cage and balls, or else to balls that roll at a contact
+    `angle` in rad, which is `contact_angle` by default.
+    """
     motion = run.motion
     hertz = {name: value / (2 * math.pi) for name, value in motion._asdict().items()}
     given = {"cage": hertz["cage"]} if own and math.isfinite(motion.cage) else {}
@@ -198,20 +208,20 @@ def lines(
     within: float = 0.005,
     sidebands: bool = False,
 ) -> list[Line]:
-    """The kinematic lines of `run` (from `raceway.open`, or a recording) in its spectrum
-    `found_in`: a list of `Line`.
+    """Return the kinematic lines of `run` in its spectrum `found_in` as a list of `Line`.
 
-    A line is found if a peak is at most `within` (relative to the frequency; or a tenth of the
-    resolution) from the line of the run's own cage and balls, exceeds the median around it by a
-    factor of ten, is less than 80 dB below the strongest peak, and is closer to this line than to
-    any other. The kinematics use the run's speeds and the contact `angle` in rad as in `places`,
-    without clearance. `sidebands` as in `expected`.
+    `run` is from `raceway.open`, or a recording. A line is found if there is a peak that is at most
+    `within` (relative to the frequency; or a tenth of the resolution) away from the line of the
+    run's own cage and balls, exceeds the median around it by a factor of ten, is less than 80 dB
+    below the strongest peak, and is closer to this line than to any other. The kinematics use the
+    speeds of the run and the contact `angle` in rad as in `places`, without clearance. `sidebands`
+    has the same meaning as in `expected`.
     """
     which = 0 if "order" in found_in.dims else 1
     rolling = places(run, angle, harmonics, sidebands, own=False)
     own_places = places(run, angle, harmonics, sidebands)
     here = {key: both[which] for key, both in own_places.items()}
-    # the peak may also be a higher harmonic of balls or raceways than those requested
+    # The peak may also be a higher harmonic of balls or raceways than those requested.
     others = here | {
         key: both[which]
         for key, both in places(run, angle, 2 * harmonics).items()
@@ -225,7 +235,8 @@ def lines(
             other = min(others, key=lambda key: abs(others[key] - found))
             if other != (name, n):
                 found, note = math.nan, f"hidden by {other[0]} x {other[1]}"
-        difference = found / kinematic - 1 if kinematic else math.nan  # nothing turns
+        # kinematic is 0 if nothing rotates
+        difference = found / kinematic - 1 if kinematic else math.nan
         numbers = order, kinematic, found, difference, amplitude, prominence
         unit = ("order", "Hz")[which]
         result.append(Line(name, n, *map(float, numbers), note, own, unit))
@@ -235,8 +246,9 @@ def lines(
 def find(
     found_in: xr.DataArray, hertz: float, within: float = 0.005
 ) -> tuple[float, float, float, float, str]:
-    """(frequency, difference from `hertz`, amplitude, prominence, note) of the line of a
-    `spectrum` near the frequency `hertz`, in Hz or orders like its axis."""
+    """Return (frequency, difference from `hertz`, amplitude, prominence, note) for the line of a
+    `spectrum` near the frequency `hertz`, which is in Hz or orders like the axis of the spectrum.
+    """
     frequency, amplitude = found_in[found_in.dims[0]].to_numpy(), found_in.to_numpy()
     resolution, step = found_in.attrs["resolution"], frequency[1]
     nothing = (math.nan, math.nan)
@@ -245,11 +257,11 @@ def find(
     here = amplitude[int(round(hertz / step))]
     if hertz < RESOLVED * resolution:
         return *nothing, here, math.nan, f"fewer than {RESOLVED:g} periods in the record"
-    # an incomplete last period moves a peak by less than this
+    # An incomplete last period moves a peak by less than this.
     reach = max(within * hertz, resolution)
     low, high = int(np.ceil((hertz - reach) / step)), int(np.floor((hertz + reach) / step))
     top = low + int(np.argmax(amplitude[low : high + 1]))
-    # noise floor: on both sides of the main lobe, over three times its width
+    # The noise floor is taken on both sides of the main lobe, over three times its width.
     foot = int(round(HALF_WIDTH * resolution / step))
     far = 4 * foot
     floor = np.median(

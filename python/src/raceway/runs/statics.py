@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures of statics for the operating point of a run, for comparison with figures of the run.
+"""Results of statics at the operating point of a run, for comparison with the results of the run.
 
-Statics is solved with the loads, speed, clearance, oil, temperature and models of the run. Its
-figures are means, or largest values, over `PLACES` ball positions within a ball pass. For a deck
+Statics is solved for the loads, speed, clearance, oil, temperature and models of the run. The
+results are means, or largest values, over `PLACES` ball positions within a ball pass. For a deck
 that does not record its variables, the inner ring is held at the measured axial displacement and
 tilts.
 """
@@ -26,32 +26,34 @@ from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.cage_drag import CageRing
 
 PLACES = 4
-# figures, by how they follow from the values at all positions
+# keys of the results, grouped by how they follow from the values at all positions
 MEANS = ("shift_z_m", "load_parameter", "capacitance_F", "friction_torque_N_m", "power_loss_W")
 LARGEST = (
     *("q_max_N", "q_inner_max_N", "q_outer_max_N", "p_max_inner_Pa", "p_max_outer_Pa"),
     *("capacitance_top_F", "entrainment_speed_m_s"),
 )
 AT_LARGEST_LOAD = ("h_min_m", "h_c_m", "lambda", "asperity_share")
-RENAMED = {"ring_shift_m": "shift_x_m", "cage_speed_rad_s": "orbital_speed_rad_s"}  # also means
+RENAMED = {"ring_shift_m": "shift_x_m", "cage_speed_rad_s": "orbital_speed_rad_s"}  # means as well
 PLACE = ("shift_z_m", "tilt_x_rad", "tilt_y_rad")
 FRICTION = ("friction_torque_N_m", "power_loss_W", "asperity_share")
-# data on which the figures do not depend
+# data on which the results do not depend
 UNUSED = {
     *("none", "inner_shoulder_diameter", "outer_shoulder_diameter", "cage_ball_diameter"),
     *("pocket_play", "inner_mass", "inner_inertia", "inner_inertia_t"),
 }
-SAME = 1e-6  # relative difference below which data of run and file count as equal
+SAME = 1e-6  # relative difference below which data of the run and of the file count as equal
 
 
 class NoStatics(Exception):
-    """Statics does not apply; the text is the reason."""
+    """Raised if statics does not apply to a run; the text is the reason."""
 
 
 def statics(tables: RunTables, figures: Mapping[str, Any]) -> dict[str, Any]:
-    """{"statics": {key: figure}, "statics_absent": reason or None} for the run `tables` with the
-    `figures` of its summary; keys and units are as in the summary. Raises `RunError` as the summary
-    does."""
+    """Return {"statics": {key: result}, "statics_absent": reason or None} for the run `tables`.
+
+    `figures` is the summary of the run, which has the same keys and units. Raise `RunError` in the
+    same cases as the summary.
+    """
     try:
         return {"statics": _figures(tables, figures), "statics_absent": None}
     except (NoStatics, InputError, NoEquilibrium, ValueError) as why:
@@ -60,7 +62,7 @@ def statics(tables: RunTables, figures: Mapping[str, Any]) -> dict[str, Any]:
 
 def _figures(tables, run):
     _applies(tables, run)
-    # scipy's elliptic integrals and root finders, which a summary alone does not need
+    # This imports scipy's elliptic integrals and root finders, which a summary does not need.
     from raceway.theory.operating_point import figures
 
     words, seat = _point(tables, run)
@@ -91,8 +93,8 @@ def _mean(found, key):
 
 
 def _turned(found, tables):
-    """Mean tilts in rad about the axes of the run, from tilts of statics about the axes of the load
-    line."""
+    """Return the mean tilts in rad about the axes of the run, converted from the tilts of statics
+    about the axes of the load line."""
     azimuth = tables.settings["load_azimuth_rad"]
     x, y = (_mean(found, key) for key in ("tilt_x_rad", "tilt_y_rad"))
     return (
@@ -102,16 +104,16 @@ def _turned(found, tables):
 
 
 def _applies(tables, run):
-    """Raises `NoStatics` if the run is not at one steady operating point."""
+    """Raise `NoStatics` if the run is not at one steady operating point."""
     load, turning = loading(tables), tables.turning
     if load is None:
-        raise NoStatics("the record has no forces of the ring")
+        raise NoStatics("the record does not contain the forces on the ring")
     if load.turns or tables.settings.get("unbalance_kg_m"):
-        raise NoStatics("the load turns")
+        raise NoStatics("the load rotates")
     if changes(turning.shaft_speed(tables.first, tables.last)):
         raise NoStatics("the speed changes")
     if turning.speed(OUTER, tables.first, tables.last).any():
-        raise NoStatics("the outer ring turns")
+        raise NoStatics("the outer ring rotates")
     if run.get("flaws"):
         raise NoStatics("raceways or balls have flaws")
     if "thermal_time_s" in run:
@@ -121,9 +123,11 @@ def _applies(tables, run):
 
 
 def _point(tables, run):
-    """(keyword arguments of `operating_point.figures`, axial position in m of the inner ring from
-    which the run measures displacement). At this position the balls touch both raceways; it is None
-    if statics does not find it."""
+    """Return (keyword arguments of `operating_point.figures`, axial position of the inner ring).
+
+    The run measures displacement from this position (m), at which the balls touch both raceways. It
+    is None if statics does not determine it.
+    """
     settings, deck = tables.settings, deck_words(tables.settings)
     given = str(settings.get("given_data", "none")).split(",")
     if own := [word for word in given if word.partition("=")[0] not in UNUSED]:
@@ -155,7 +159,7 @@ def _point(tables, run):
 
         words["supply"] = Supply(deck["lubrication"], float(deck["oil_level"]))
     start = body.seat(angle)
-    if not deck:  # decks other than the main deck do not record what is held
+    if not deck:  # only the main deck records which degrees of freedom are held
         z, *tilt = _place(tables)
         held = {"z": z + math.copysign(start, loading(tables).axial)}
         held.update(zip(("rx", "ry"), _about_load_line(*tilt, azimuth)))
@@ -169,7 +173,7 @@ def _point(tables, run):
 
 
 def _cage(record, deck):
-    """The cage of a record if it is one ring, with data of the `deck`; None for other cages."""
+    """Return the one-piece cage of a record with data from the `deck`, or None for other cages."""
     side = record.fixed("ring_raceway").tolist()
     if CAGE_RING not in side:
         return None
@@ -187,7 +191,8 @@ def _cage(record, deck):
 
 
 def _place(tables):
-    """Mean axial displacement (m) and tilts (rad) of the inner relative to the outer ring."""
+    """Return the mean axial displacement (m) and the mean tilts (rad) of the inner ring relative to
+    the outer ring."""
     first = max(tables.first, 1)
     inner, outer = (
         np.array(ring_place(tables.record, side, first, tables.last)[2:]).mean(axis=1)
@@ -197,7 +202,7 @@ def _place(tables):
 
 
 def _about_load_line(x, y, azimuth):
-    """Components along and across the load line, from components along the axes of the run."""
+    """Convert components along the axes of the run to components along and across the load line."""
     return (
         x * math.cos(azimuth) + y * math.sin(azimuth),
         y * math.cos(azimuth) - x * math.sin(azimuth),
@@ -205,7 +210,7 @@ def _about_load_line(x, y, azimuth):
 
 
 def _four_point(tables, deck, path):
-    """Angle in rad of two grooves per ring, None for one groove."""
+    """Return the contact angle in rad for two grooves per ring, or None for one groove."""
     if not tables.record.two_grooves:
         return None
     angle = float(deck.get("four_point", 0)) or math.degrees(inputs.four_point_angle(path) or 0)
@@ -220,7 +225,8 @@ def _same_bearing(body, tables):
     for name in names:
         if not math.isclose(getattr(body, name), getattr(own, name), rel_tol=SAME):
             raise NoStatics(
-                f"{name} of the run is {getattr(own, name):g}, of the file {getattr(body, name):g}"
+                f"{name} is {getattr(own, name):g} in the run but {getattr(body, name):g} in the"
+                " bearing's file"
             )
 
 
@@ -228,4 +234,6 @@ def _same_oil(found, tables):
     for key in ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "roughness_m"):
         own = tables.settings.get(key)
         if key in found and own and not math.isclose(found[key], own, rel_tol=SAME):
-            raise NoStatics(f"{key} of the run is {own:g}, of the lubricant's file {found[key]:g}")
+            raise NoStatics(
+                f"{key} is {own:g} in the run but {found[key]:g} in the lubricant's file"
+            )

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The figures of a run, as a mapping by `summary` and as text by `table`.
+"""Summary of the results of a run: `summary` returns a dict, and `table` formats it as text.
 
-The keys are a public interface for scripts: keys may be added, but never renamed.
+The keys are a public interface for scripts: keys may be added, but must never be renamed.
 """
 
 import json
@@ -107,7 +107,7 @@ TOPICS = {
         Row("asperity_share", "load share of asperities", "", "largest inner load"),
         Row("power_loss_W", "power loss", "W", "mean"),
         *(
-            Row(f"loss_{key}_W", "  " + BEARING[name].meaning.removeprefix("power dissipated "), "W")
+            Row(f"loss_{key}_W", BEARING[name].meaning.replace("power dissipated", " "), "W")
             for key, name in LOSSES.items()
         ),
     ),
@@ -131,23 +131,25 @@ TOPICS = {
         Row("evaluations", "evaluations of the forces", "", "measured passes"),
     ),
 }
-# smaller values are rounding errors or ball-pass ripple and are not shown in the table
+# Smaller values are rounding errors or ball-pass ripple and are not shown in the table.
 # fractions of the largest force
 SHOWN = dict.fromkeys(("force_x_N", "force_y_N", "force_z_N"), 1e-2)
 STILL = dict.fromkeys(("shift_z_m", "tilt_x_rad", "tilt_y_rad"), 1e-9)  # m, rad
 STEADY = 1e-3  # fraction of the speed by which a steady speed may vary
-LOOKS = 1000  # samples checked for contact patches that extend beyond the shoulder
+LOOKS = 1000  # number of samples checked for contact patches that extend beyond the shoulder
 CHECK = "check.json"  # in the run's folder, written by `raceway check`
 
 
 def summary(tables: RunTables) -> dict[str, Any]:
-    """The figures of the run `tables` by name, SI units, text or numbers; None if the run has no
-    value. `absent` gives, by key, the reason why the run's models omit a figure. `warnings` is a
-    list of texts: absent figures, and values outside the range of validity (`theory.validity`).
+    """Return the results of the run `tables` as text or numbers in SI units, keyed by name.
 
-    Reads the record in blocks; memory grows by one row of numbers for each sample. Raises
-    `RunError` for an unfinished run, a broken record, no sample after the start, or no contact in
-    any sample.
+    Results that the run does not have are None. `absent` maps keys to the reason why the models of
+    the run do not provide the result. `warnings` is a list of texts about absent results and about
+    values outside the range of validity (`theory.validity`).
+
+    The record is read in blocks; the memory grows by one row of numbers per sample. Raise
+    `RunError` if the run has not finished, if the record is broken, if there is no sample after the
+    start, or if there is no contact in any sample.
     """
     tables.need_finished()
     _need_window(tables)
@@ -206,14 +208,16 @@ def _need_window(tables):
     count = len(tables.rings)
     if not (tables.rings["sample"] > 0).any():
         raise RunError(
-            f"{tables.record.path} holds {count} sample{'s' * (count != 1)}: figures are means"
-            " over the samples after the start, but there are none"
+            f"{tables.record.path} has {count} sample{'s' * (count != 1)}: results are means over"
+            " the samples after the start, but there are none"
         )
 
 
 def _need_agreement(tables):
-    """Check that the largest loads of the bearing agree with the loads of its contacts. A record
-    with checksums needs no such check."""
+    """Check that the largest loads of the bearing agree with the loads of its contacts.
+
+    A record with checksums does not need this check.
+    """
     record = tables.record
     if record.checked or "load" not in record.contact_columns:
         return
@@ -226,22 +230,25 @@ def _need_agreement(tables):
             if len(wrong := np.flatnonzero(~np.isclose(own, said, rtol=1e-6, atol=0))):
                 raise RunError(
                     f"{record.path} is damaged: in sample {first + wrong[0] + 1} the largest load"
-                    f" on the {name} raceway is {own[wrong[0]]:g} N by the contacts and"
-                    f" {said[wrong[0]]:g} N by the bearing"
+                    f" on the {name} raceway is {own[wrong[0]]:g} N according to the contacts, but"
+                    f" {said[wrong[0]]:g} N according to the bearing"
                 )
 
 
 def identity(tables: RunTables) -> list[float]:
-    """Fingerprint of a run: wall time, time step and length."""
+    """Return the fingerprint of a run: wall time, time step and simulated time."""
     return [tables.settings[key] for key in ("wall_s", "step_s", "simulated_s")]
 
 
 def numerical_errors(tables: RunTables) -> dict[str, float]:
-    """{key: error in the figure's unit} of a run repeated by `raceway check`, otherwise empty: the
-    sum of the changes by a finer integration, more samples and longer settling."""
+    """Return {key: error in the unit of the result} for a run that `raceway check` has repeated.
+
+    An error is the sum of the changes due to finer integration, more samples and longer settling.
+    For other runs the dict is empty.
+    """
     try:
         found = json.loads((tables.folder / CHECK).read_text())
-        if found["run"] != identity(tables):  # belongs to an earlier run in this folder
+        if found["run"] != identity(tables):  # the file belongs to an earlier run in this folder
             return {}
         return {key: sum(parts.values()) for key, parts in found["errors"].items()}
     except FileNotFoundError:
@@ -269,7 +276,7 @@ def _warnings(tables, figures):
 
 
 def _held(tables, figures):
-    """The warning about a ring held along its axis, for runs that record the axial load."""
+    """Return the warning about a ring held along its axis, for runs that record the axial load."""
     load, axial = loading(tables), tables.settings.get("axial_N")
     if load is None or axial is None:
         return []
@@ -291,7 +298,10 @@ def _left_out(absent):
 
 
 def _past_shoulder(tables):
-    """Warnings for a record with shoulder diameters, from at most `LOOKS` of its samples."""
+    """Return warnings about contact patches that extend beyond a shoulder.
+
+    They require a record with shoulder diameters and are based on at most `LOOKS` of its samples.
+    """
     known = [tables.settings.get(f"{name}_shoulder_diameter_m") for name in NAME.values()]
     record, columns = tables.record, ("load", "angle", "a")
     if not any(known) or not set(columns) <= set(record.contact_columns):
@@ -309,7 +319,7 @@ def _past_shoulder(tables):
 
 
 def ring_displacement(tables: RunTables) -> Floats:
-    """Displacement of the inner ring along the load in m, one value per sample."""
+    """Return the displacement of the inner ring along the load in m, with one value per sample."""
     azimuth = tables.settings["load_azimuth_rad"]
     return (
         tables.rings["x"] * math.cos(azimuth) + tables.rings["y"] * math.sin(azimuth)
@@ -317,7 +327,7 @@ def ring_displacement(tables: RunTables) -> Floats:
 
 
 def _of_bearing(tables):
-    """Figures from the sums and extremes over the bearing."""
+    """Return the results that follow from sums and extremes over the bearing."""
     table = tables.totals
     for name in NAME.values():
         if not table[f"load_{name}"].max() > 0:
@@ -353,7 +363,7 @@ def _displacement(tables):
 
 
 def _plain(value):
-    """`value` for JSON: text, a finite float, None, or a mapping to them."""
+    """Convert `value` for JSON to text, a finite float, None, or a dict of these."""
     if value is None or isinstance(value, str):
         return value
     if isinstance(value, dict):
@@ -362,9 +372,11 @@ def _plain(value):
 
 
 def table(figures: Mapping[str, Any]) -> str:
-    """The result of `summary` as text, one block per topic, without missing and negligible
-    figures; figures of `statics.statics`, if `figures` has them, are in a column. Warnings come
-    last."""
+    """Return the result of `summary` as text with one block per topic.
+
+    Missing and negligible results are not shown. If `figures` contains results of
+    `statics.statics`, they are shown in a separate column. Warnings come last.
+    """
     ranges = figures.get("model_ranges") or {}
     text = lines(
         shown(figures),
@@ -378,14 +390,14 @@ def table(figures: Mapping[str, Any]) -> str:
     if assumed := figures.get("assumed_data"):
         text += variable_table.block(assumed)
     if ranges:
-        text += ["", "Ranges of the model, as far as they are known"]
+        text += ["", "Known ranges of the model"]
         text += [f"  {one}" for one in reasons(figures)]
     return "\n".join(text + warning_lines(figures["warnings"]))
 
 
 def reasons(figures: Mapping[str, Any]) -> list[str]:
-    """Return the reasons for the ranges of the figures, one text for all figures of a topic that
-    have the same reason."""
+    """Return the reasons for the ranges of the results, with one text for all results of a topic
+    that have the same reason."""
     places = {
         row.key: (topic[0].lower() + topic[1:], row.label.strip())
         for topic, rows in TOPICS.items()
@@ -399,7 +411,7 @@ def reasons(figures: Mapping[str, Any]) -> list[str]:
 
 
 def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
-    """The figures by the keys of `TOPICS`, None for negligible ones."""
+    """Return the results with the keys of `TOPICS`; negligible results are None."""
     result = {key: None if _nothing(key, figures) else value for key, value in figures.items()}
     losses = figures["losses_W"] or dict.fromkeys(LOSSES)
     flaws = figures.get("flaws", {})

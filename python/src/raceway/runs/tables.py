@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run folder: settings and samples as tables."""
+"""The settings and samples in the folder of a run, as tables."""
 
 from collections.abc import Iterator
 from functools import cached_property
@@ -23,13 +23,13 @@ READERS = {"contacts": record_tables.contacts, "balls": record_tables.atoms}
 
 
 class RunTables:
-    """The `settings` of a run and its samples as tables, read on first use.
+    """The `settings` of a run and its samples as tables, which are read on first use.
 
     Tables are `DataFrame`s in SI units whose column `sample` counts the samples of the measured
-    window from 0. For a run larger than memory, `samples`, a slice without step, selects some
-    samples, or `blocks` reads all of them in turn. A running or stopped run can be read up to its
-    latest sample; it is not `finished`. `bearing` selects one of several bearings by its number,
-    from 1.
+    window from 0. For a run larger than memory, `samples`, a slice without a step, selects a range
+    of samples, or `blocks` reads all of them one block at a time. A run that is still running or
+    was stopped can be read up to its latest sample; `finished` is then False. `bearing` selects one
+    of several bearings by its number, counted from 1.
 
     Raises `RunError` if the record is missing or broken, or if `run.yaml` belongs to another run.
     """
@@ -44,7 +44,8 @@ class RunTables:
         self._turning: list[Turning] = []
 
     def window(self, samples: slice) -> "RunTables":
-        """The same run with other `samples`. Its settings are not read or measured again."""
+        """Return the same run with different `samples`, without reading or measuring its settings
+        again."""
         part = RunTables.__new__(RunTables)
         part.folder, part.record, part.settings = self.folder, self.record, self.settings
         part.first, part.stop = _window(samples)
@@ -53,7 +54,8 @@ class RunTables:
 
     @property
     def turning(self) -> Turning:
-        """Angles of rings, cage and balls. Raises `RunError` unless one bearing has been chosen."""
+        """Angles of rings, cage and balls. Raises `RunError` unless one bearing has been
+        selected."""
         self.record.need_one()
         if not self._turning:
             self._turning.append(Turning(self.record))
@@ -61,7 +63,7 @@ class RunTables:
 
     @cached_property
     def motion(self) -> Motion:
-        """Mean speeds over the samples. Raises `RunError` for fewer than two."""
+        """Mean speeds over the samples. Raises `RunError` if there are fewer than two samples."""
         return self.turning.motion(self.first, self.last)
 
     @property
@@ -71,7 +73,7 @@ class RunTables:
 
     @property
     def finished(self) -> bool:
-        """True if the run has finished; before that, `settings` has no `step_s`, `simulated_s` and
+        """True if the run has finished; until then, `settings` lacks `step_s`, `simulated_s` and
         `wall_s`."""
         return all(key in self.settings for key in AT_THE_END)
 
@@ -105,7 +107,8 @@ class RunTables:
 
     @property
     def cage_ball_radius(self) -> float:
-        """Radius of the cage balls, m; for a run without cage, their radius without pocket gap."""
+        """Radius of the cage balls in m; for a run without a cage, the radius that leaves no gap in
+        the pockets."""
         if "cage_ball_diameter_m" in self.settings:
             return self.settings["cage_ball_diameter_m"] / 2
         bearing = self.geometry
@@ -133,62 +136,66 @@ class RunTables:
 
     @cached_property
     def pairs(self) -> pd.DataFrame:
-        """`pairs.pairs` of the contacts: one row for each sample and ball loaded on both
-        raceways."""
+        """Result of `pairs.pairs` for the contacts: one row for each sample and ball that is loaded
+        on both raceways."""
         return pairs(self.contacts)
 
     @property
     def bearing_capacitance(self) -> Floats:
-        """Capacitance of the bearing in F, one value per sample (eq 12)."""
+        """Capacitance of the bearing in F (eq 12), with one value per sample."""
         return self.record.known(self.totals)["capacitance"].to_numpy()
 
     @cached_property
     def last(self) -> int:
-        """End of the available samples, at most `stop`; in a growing record, the same end for all
-        tables. Raises `RunError` without samples."""
+        """End of the available samples, at most `stop`. It is the same for all tables, even if the
+        record is still growing. Raises `RunError` if there are no samples."""
         *_, (_, last) = self.record.blocks(self.first, self.stop)
         return last
 
     def blocks(self, name: str) -> Iterator[pd.DataFrame]:
-        """Yield the table `name`, "contacts" or "balls", in blocks of whole samples and a few MB.
+        """Yield the table `name`, "contacts" or "balls", in blocks of a few MB that consist of
+        whole samples.
 
-        The `attrs` of a block have `first` and the number of `samples`. Raises `RunError` without
-        samples.
+        The `attrs` of a block contain its `first` sample and its number of `samples`. Raise
+        `RunError` if there are no samples.
         """
-        if name in self.__dict__:  # read already
+        if name in self.__dict__:  # the table has been read before
             yield self.__dict__[name]
             return
         for part in self.record.blocks(self.first, self.last):
             yield READERS[name](self.record, *part)
 
     def by_raceway(self, contacts: pd.DataFrame) -> dict[str, np.ndarray]:
-        """{"inner": mask of rows of `contacts`, "outer": ...}; with two grooves for a ball
-        "inner_0", "inner_1", "outer_0", "outer_1"."""
+        """Return a dict that maps "inner" and "outer" to masks of the rows of `contacts`.
+
+        If a ball may touch two grooves of a ring, the keys are "inner_0", "inner_1", "outer_0" and
+        "outer_1".
+        """
         place = contacts["raceway"].to_numpy(int)
         if self.record.two_grooves:
             place = 2 * place + contacts["groove"].to_numpy(int)
         return {name.replace(" ", "_"): place == k for k, name in enumerate(self.record.raceways)}
 
     def passes(self, sample: ArrayLike) -> Numbers:
-        """Number of ball passes from the start of the measured window to a sample (number or
-        array), from the angle of the cage."""
+        """Return the number of ball passes from the start of the measured window to a sample
+        (number or array), computed from the angle of the cage."""
         return self.turning.passes(sample)
 
     def from_load_line(self, azimuth: Numbers) -> Numbers:
-        """Azimuths in rad (number or array) counted from the centre of the load zone, within
-        -pi..pi."""
+        """Return azimuths in rad (number or array) relative to the centre of the load zone, in the
+        range from -pi to pi."""
         return np.mod(azimuth - self.settings["load_azimuth_rad"] + np.pi, 2 * np.pi) - np.pi
 
     def angles(self, contacts: pd.DataFrame) -> Floats:
-        """The azimuths of rows of contacts, in rad from the centre of the load zone. Raises
-        `RunError` if the run has not recorded them."""
+        """Return the azimuths of the rows of `contacts` in rad, relative to the centre of the load
+        zone. Raise `RunError` if the run has not recorded them."""
         if "azimuth" not in contacts:
-            raise RunError(f"{self.record.path} has no column azimuth: record it as well")
+            raise RunError(f"{self.record.path} has no column azimuth; it must be recorded")
         return self.from_load_line(contacts["azimuth"].to_numpy())
 
 
 def _window(samples):
-    """(first, stop) of a slice of samples."""
+    """Return (first, stop) of a slice of samples."""
     first, stop = samples.start or 0, samples.stop
     if samples.step not in (None, 1) or first < 0 or (stop is not None and stop <= first):
         raise ValueError(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Amplitude over time and frequency, or over time and order where the shaft's speed changes."""
+"""Amplitude as a function of time and frequency, or time and order if the shaft speed changes."""
 
 import math
 
@@ -13,20 +13,20 @@ from raceway.runs import envelope, order_tracking, spectrum
 from raceway.runs.source import Source
 
 WINDOW = "hann"
-OVERLAP = 0.9  # overlap of successive windows, fraction of their length
-PAD = 4  # values per bin of 1/window
-ENVELOPE, SIGNAL = 12.0, 0.25  # periods of BPFO in a window, to separate lines or impacts
-COLUMNS = 4  # least number of windows in a record
+OVERLAP = 0.9  # overlap of successive windows, as a fraction of their length
+PAD = 4  # values per bin of width 1/window
+ENVELOPE, SIGNAL = 12.0, 0.25  # BPFO periods per window, which separate lines or impacts
+COLUMNS = 4  # minimum number of windows in a record
 
 
 def spectrogram(values: ArrayLike, sample: float, window: float) -> xr.DataArray:
-    """Amplitude of evenly sampled `values` (N,): `DataArray` (frequency, time) in the unit of the
-    values.
+    """Return the amplitude of evenly sampled `values` (N,) as a `DataArray` (frequency, time) in
+    the unit of the values.
 
-    `sample` is their spacing and `window` the length of a Hann window, both in the same unit: s or
-    turns of the shaft. A sine of amplitude A over a whole window has amplitude A. The mean of each
-    window is subtracted. Raises `ValueError` for values that are not finite, and for a window that
-    is shorter than 16 samples or longer than a quarter of the record.
+    `sample` is the spacing of the values and `window` the length of a Hann window, both in the same
+    unit (s or shaft revolutions). A sine of amplitude A that lasts a whole window has amplitude A.
+    The mean of each window is subtracted. Raise `ValueError` if a value is not finite, or if the
+    window is shorter than 16 samples or longer than a quarter of the record.
 
     >>> time = np.arange(8000) / 4000
     >>> one = spectrogram(3.0 + 2.0 * np.sin(2 * np.pi * 500 * time), 1 / 4000, 0.1)
@@ -54,7 +54,7 @@ def spectrogram(values: ArrayLike, sample: float, window: float) -> xr.DataArray
         scaling="spectrum",
         mode="magnitude",
     )
-    magnitude[1:] *= 2.0  # both sides of the spectrum
+    magnitude[1:] *= 2.0  # one-sided spectrum
     result = xr.DataArray(
         magnitude, {"frequency": frequency, "time": time}, ("frequency", "time"), "amplitude"
     )
@@ -70,19 +70,19 @@ def of_run(
     band: tuple[float, float] | None = None,
     orders: bool | None = None,
 ) -> xr.DataArray:
-    """`spectrogram` of a column of a `ring` of `run`, or of a channel of a recording; with a `band`
-    (Hz, Hz), of its envelope.
+    """Return the `spectrogram` of a column of a `ring` of `run`, or of a channel of a recording.
 
-    Dimensions are frequency (Hz) and time (s), or order (of the shaft) and time if the speed
-    changes by more than 1 %; `orders` overrides the choice, and `attrs["orders"]` records it. A
+    If a `band` (Hz, Hz) is given, it is the spectrogram of the envelope in this band. The
+    dimensions are frequency (Hz) and time (s), or order of the shaft speed and time if the speed
+    changes by more than 1 %; `orders` overrides this choice, which `attrs["orders"]` records. A
     window lasts twelve periods of BPFO for an envelope and a quarter of a period for the signal
-    itself. Raises `RunError` as `spectrum.signal_of` does, for a record that is too short, and for
-    a shaft that reverses.
+    itself. Raise `RunError` in the same cases as `spectrum.signal_of`, if the record is too short,
+    and if the shaft reverses.
     """
     values, sample_s, attrs = run.signal(name, ring)
     tracked = order_tracking.changes_speed(run, len(values)) if orders is None else orders
     order = spectrum.places(run, harmonics=1)["BPFO", 1][0]
-    window = (ENVELOPE if band else SIGNAL) / order  # turns
+    window = (ENVELOPE if band else SIGNAL) / order  # in shaft revolutions
     try:
         if band is not None:
             values = envelope.of_values(values, sample_s, *band)

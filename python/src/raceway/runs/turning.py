@@ -16,27 +16,27 @@ from raceway.errors import RunError
 from raceway.runs.record import Record
 from raceway.theory.bearing import INNER, OUTER
 
-STEADY = 0.01  # share of the mean speed; smaller changes do not count
+STEADY = 0.01  # fraction of the mean speed; smaller changes are ignored
 SPINS = ("x", "y", "z")
 
 
 class Motion(NamedTuple):
-    """Mean speeds in rad/s from the angles; positive about the axis."""
+    """Mean speeds in rad/s, computed from angles and positive about the axis."""
 
     inner: float
     outer: float
     cage: float
-    spin: float  # of a ball relative to the cage, a magnitude; NaN if not recorded
-    angle: float  # contact angle, rad, never negative; NaN if not recorded
+    spin: float  # magnitude of the speed of a ball relative to the cage; NaN if not recorded
+    angle: float  # contact angle in rad, never negative; NaN if not recorded
 
     @property
     def shaft(self) -> float:
-        """Speed of the inner relative to the outer ring; the unit of orders."""
+        """Speed of the inner ring relative to the outer ring, which is the unit of orders."""
         return self.inner - self.outer
 
 
 class Turning:
-    """Angles of the one bearing of `record`."""
+    """Angles and speeds of the selected bearing of `record`."""
 
     def __init__(self, record: Record) -> None:
         self.record = record
@@ -44,12 +44,14 @@ class Turning:
         self._passes: Floats = np.zeros(0)
 
     def ring(self, side: int, start: int = 0, stop: int | None = None) -> Floats:
-        """Angle (N,) in rad of the ring of one `side` at the samples `start` to `stop`, counted
-        from the first of these samples; 0 for a bearing without that ring."""
+        """Return the angle (N,) in rad of the ring on one `side` at the samples `start` to `stop`.
+
+        It is measured from the first of these samples, and is 0 for a bearing without that ring.
+        """
         return self._ring("ring_angle", side, start, stop, from_start=True)
 
     def speed(self, side: int, start: int = 0, stop: int | None = None) -> Floats:
-        """Speed (N,) in rad/s of the ring of one `side` at the samples `start` to `stop`."""
+        """Return the speed (N,) in rad/s of the ring on one `side` at samples `start` to `stop`."""
         return self._ring("ring_spin", side, start, stop)
 
     def _ring(self, name, side, start, stop, from_start=False):
@@ -59,22 +61,22 @@ class Turning:
         return values - values[:1] if from_start else values
 
     def shaft(self, start: int = 0, stop: int | None = None) -> Floats:
-        """Angle (N,) in rad of the inner relative to the outer ring."""
+        """Return the angle (N,) in rad of the inner ring relative to the outer ring."""
         return self.ring(INNER, start, stop) - self.ring(OUTER, start, stop)
 
     def shaft_speed(self, start: int = 0, stop: int | None = None) -> Floats:
-        """Speed (N,) in rad/s of the inner relative to the outer ring."""
+        """Return the speed (N,) in rad/s of the inner ring relative to the outer ring."""
         return self.speed(INNER, start, stop) - self.speed(OUTER, start, stop)
 
     def cage(self, start: int = 0, stop: int | None = None) -> Floats:
-        """Mean speed (N,) in rad/s of the balls about the axis."""
+        """Return the mean speed (N,) in rad/s of the balls about the axis."""
         return np.nan_to_num(self.record.read(["bearing_cage_speed"], start, stop)[
             "bearing_cage_speed"
         ][:, 0])  # fmt: skip
 
     def passes(self, sample: ArrayLike) -> Floats:
-        """Ball passes from the first sample of the record to the samples with the numbers `sample`:
-        the cage's angle divided by the angle between two balls."""
+        """Return the number of ball passes from the first sample of the record to the samples with
+        the numbers `sample`, i.e. the cage angle divided by the angle between two balls."""
         sample = np.asarray(sample)
         if not sample.size:
             return sample.astype(float)
@@ -85,10 +87,13 @@ class Turning:
         return np.interp(sample, np.arange(len(self._passes)), self._passes)
 
     def motion(self, start: int, stop: int) -> Motion:
-        """`Motion` between the samples `start` and `stop`. Raises `RunError` for fewer than two."""
+        """Return the `Motion` between the samples `start` and `stop`.
+
+        Raise `RunError` for fewer than two samples.
+        """
         count = stop - start
         if count < 2:
-            raise RunError(f"{self.record.path}: speeds need two samples, not {count}")
+            raise RunError(f"{self.record.path}: speeds need at least two samples, not {count}")
         time = (count - 1) * self.record.attrs["sample_s"]
         cage = self.cage(start, stop)
         return Motion(
@@ -111,7 +116,7 @@ class Turning:
         return float(total / (stop - start))
 
     def _angle(self, start, stop):
-        """Contact angle from the mean cosine over all contacts, weighted by load."""
+        """Return the contact angle whose cosine is the load-weighted mean over all contacts."""
         if not {"angle", "load"} <= set(self.record.contact_columns):
             return math.nan
         cosine = weight = 0.0
@@ -125,12 +130,12 @@ class Turning:
 
 
 def _sum(speed, step):
-    """Angle (N,), from 0, by trapezoidal integration of the speeds (N,)."""
+    """Return the angle (N,), starting at 0, by trapezoidal integration of the speeds (N,)."""
     return step * np.concatenate([[0.0], np.cumsum((speed[1:] + speed[:-1]) / 2)])
 
 
 def changes(speed: ArrayLike) -> bool:
-    """True if a speed (N,) changes by more than 1 % of its mean.
+    """Return True if a speed (N,) changes by more than 1 % of its mean.
 
     >>> changes([100.0, 100.5]), changes([100.0, 102.0]), changes([0.0, 0.0])
     (False, True, False)

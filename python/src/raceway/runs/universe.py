@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run for MDAnalysis (optional: `pip install raceway[mdanalysis]`).
+"""Reader that opens a run in MDAnalysis (optional: `pip install raceway[mdanalysis]`).
 
 MDAnalysis stores positions and velocities in single precision. For a 6208 the resolution is 2 nm,
-as large as the overlap of an unloaded ball or one per cent of a film, so these values are accurate
-enough only for pictures and neighbour searches. Every frame has double-precision values in
-`trajectory.ts.data`:
+which is as large as the overlap of an unloaded ball or one per cent of a film, so these values are
+accurate enough only for pictures and neighbour searches. Every frame also has double-precision
+values in `trajectory.ts.data`:
 
 - `position`, `velocity` (m, m/s), `spin` (rad/s): (atoms, 3)
 - every column of the contacts for the inner and the outer raceway, `load_inner`, `h_min_outer` ...,
-  with two grooves per ring `load_inner_0` ... (SI): (atoms,), with 0 or NaN where an atom has no
-  such contact, as in `Run.contacts`
+  or `load_inner_0` ... for two grooves per ring, in SI units: (atoms,), with 0 or NaN for an atom
+  without such a contact, as in `Run.contacts`
 - `step`, `time` (s), `sample`
 
-Lengths are in metres and times in seconds, whatever MDAnalysis calls them; there is no box, and
-positions are as in the run.
+Lengths are in metres and times in seconds, regardless of the units that MDAnalysis states. There is
+no box, and positions are the same as in the run.
 """
 
 from typing import Any
@@ -33,16 +33,16 @@ except ImportError:
     raise RunError("MDAnalysis is not installed: pip install 'raceway[mdanalysis]'") from None
 
 NAMES = {1: "ball", 2: "cage", 3: "inner", 4: "outer"}  # by atom type
-# atoms of consecutive frames read together, since an analysis usually continues with the next frame
+# number of atoms in consecutive frames that are read together, because an analysis usually
+# continues with the next frame
 ROWS = 5000
 FEW = 8  # reading a single frame takes about 1/FEW of the time for a block
 
 
 class RunReader(ReaderBase):
-    """The trajectory of a run, with random access to frames; it takes a few MB of memory for any
-    run.
+    """The trajectory of a run with random access to frames.
 
-    `first` and `stop` select some samples.
+    It needs a few MB of memory for a run of any size. `first` and `stop` select a range of samples.
     """
 
     format = "RACEWAY"
@@ -71,7 +71,7 @@ class RunReader(ReaderBase):
         self._read_next_timestep()
 
     def close(self) -> None:
-        """No file stays open between frames."""
+        """Do nothing, because no file stays open between frames."""
 
     def _reopen(self):
         self.ts = self._Timestep(self.n_atoms, velocities=True, **self._ts_kwargs)
@@ -84,7 +84,7 @@ class RunReader(ReaderBase):
     def _read_next_timestep(self):
         frame = self.ts.frame + 1
         if not 0 <= frame < self.n_frames:
-            # MDAnalysis ends an iteration on this error
+            # MDAnalysis ends an iteration when it receives this error.
             raise OSError(f"no frame {frame} of {self.n_frames}")
         data = self.ts.data
         if not self._loaded[0] <= frame < self._loaded[1]:
@@ -102,14 +102,16 @@ class RunReader(ReaderBase):
         return self.ts
 
     def _atoms_of(self, start, stop):
-        """Table of the atoms of frames `start` to `stop`, sorted by sample and atom."""
+        """Return a table of the atoms in frames `start` to `stop`, sorted by sample and atom."""
         first = self._tables.first
         table = record_tables.atoms(self._tables.record, first + start, first + stop)
         return table.sort_values(["sample", "id"])
 
     def _together_with(self, frame):
-        """(start, stop) of the frames to read together with `frame`: its neighbours, unless access
-        is scattered."""
+        """Return (start, stop) of the frames to read together with `frame`.
+
+        They include its neighbours, unless access is scattered.
+        """
         if abs(frame - self._asked) > max(1, self._together // FEW):
             return frame, frame + 1
         start = frame // self._together * self._together
@@ -145,10 +147,10 @@ class RunReader(ReaderBase):
 
 
 def universe(tables: RunTables) -> MDAnalysis.Universe:
-    """MDAnalysis `Universe` of the run `tables`: atoms named ball, cage, inner, outer, with their
-    host's ids and types.
+    """Return an MDAnalysis `Universe` for the run `tables`.
 
-    The trajectory is a `RunReader`. Raises `RunError` if a file is broken or MDAnalysis is not
+    Its atoms are named ball, cage, inner and outer, and have the ids and types of the host. The
+    trajectory is a `RunReader`. Raise `RunError` if a file is broken or if MDAnalysis is not
     installed.
     """
     reader = RunReader(str(tables.folder), tables.first, tables.stop, tables.record.bearing)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Temperatures of a run with fix bearing/heat: their transient, and figures of the measured
+"""Temperatures of a run with fix bearing/heat: the transient, and results for the measured
 window."""
 
 from pathlib import Path
@@ -37,8 +37,11 @@ ROWS = (
 
 
 def transient(folder: FilePath) -> "xr.Dataset":
-    """Temperatures of the run in `folder` from jump to jump: a dataset over `thermal_time` in s,
-    with units and meanings in `attrs`. Raises `RunError` if the run has none."""
+    """Return the temperatures of the run in `folder` at each jump.
+
+    The result is a Dataset indexed by `thermal_time` in s, with units and meanings in `attrs`.
+    Raise `RunError` if the run has no temperatures.
+    """
     import xarray as xr  # importing it takes longer than computing a summary
 
     path = Path(folder) / FILE
@@ -53,7 +56,9 @@ def transient(folder: FilePath) -> "xr.Dataset":
     except ValueError as error:
         raise RunError(f"{path} is damaged: {error}") from None
     if not names or set(names) - set(HEAT):
-        raise RunError(f"{path} is not a table of fix bearing/heat: its first line has other names")
+        raise RunError(
+            f"{path} is not a table of fix bearing/heat: the names in its first line differ"
+        )
     data = {
         name: ("thermal_time", values[:, k], _attributes(name))
         for k, name in enumerate(names)
@@ -68,13 +73,16 @@ def _attributes(name):
 
 
 def heated(tables: RunTables) -> bool:
-    """True for a run whose temperatures follow from its losses."""
+    """Return True for a run whose temperatures follow from its losses."""
     return "temperature_inner" in tables.totals
 
 
 def warm_clearance(tables: RunTables) -> float:
-    """Mean diametral clearance of the run in m: with warm parts if the run has temperatures,
-    otherwise the clearance that was set."""
+    """Return the mean diametral clearance of the run in m.
+
+    If the run has temperatures, it is the clearance of the warm parts; otherwise it is the
+    clearance that was set.
+    """
     cold = tables.settings["clearance_m"]
     if not heated(tables):
         return cold
@@ -85,8 +93,11 @@ def warm_clearance(tables: RunTables) -> float:
 
 
 def figures(tables: RunTables) -> dict[str, float]:
-    """Figures of `ROWS`, SI units and degrees C; none for a run without heat. Figures of the
-    transient need its table."""
+    """Return the results with the keys of `ROWS` in SI units and degrees C.
+
+    The dict is empty for a run without heat. Results for the transient require the table of the
+    fix.
+    """
     if not heated(tables):
         return {}
     found = {
@@ -104,5 +115,5 @@ def figures(tables: RunTables) -> dict[str, float]:
             **{f"heat_{k}_J": float(last[k]) for k in ("booked", "carried", "stored")},
         }
         if (outlet := float(last["temperature_outlet"])) != float(last["temperature_oil"]):
-            found["temperature_outlet_C"] = outlet  # of flowing oil
+            found["temperature_outlet_C"] = outlet  # only for flowing oil
     return found

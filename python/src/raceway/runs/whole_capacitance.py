@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Total capacitance over a run, from contact patches, the gap around them and unloaded balls, and
-the effect of a voltage on the films. Computed from loads, films and ball positions by the closed
-forms of `capacitors`."""
+"""Total capacitance during a run, and the effect of a voltage on the films.
+
+The total capacitance includes the contact patches, the gap around them and the unloaded balls. It
+is computed from loads, films and ball positions with the closed-form solutions of `capacitors`.
+"""
 
 from typing import Any
 
@@ -29,7 +31,7 @@ from raceway.theory.capacitors import FLOODED, Filling
 from raceway.theory.validity import Shoulders
 
 SIDES = ("inner", "outer")
-RECORDED = {  # columns of a record with total capacitance
+RECORDED = {  # columns of a record that contains the total capacitance
     "separation": "separation",
     "plates": "capacitance",
     "outside": "capacitance_outside",
@@ -38,21 +40,23 @@ RECORDED = {  # columns of a record with total capacitance
 ANGLES = ("azimuth", "from_load_line")
 MEANING = {
     "load": ("N", "contact load"),
-    "separation": ("m", "central film thickness, or play of a ball without load"),
+    "separation": ("m", "central film thickness, or play of an unloaded ball"),
     "area": ("m2", "area of the contact ellipse"),
     "plates": ("F", "capacitance of the contact ellipse"),
     "outside": ("F", "capacitance of the gap around the contact ellipse"),
-    "paths": ("m", "resistivity of the oil over the resistance of the gap"),
+    "paths": ("m", "ratio of the oil's resistivity to the resistance of the gap"),
     "total": ("F", "total capacitance of the gap"),
-    "one_ball": ("F", "capacitance of one ball, inner and outer in series"),
+    "one_ball": ("F", "capacitance of one ball, with its contacts in series"),
     "bearing": ("F", "capacitance of the bearing"),
     "play": ("m", "gap between ball and raceway, negative where they overlap"),
 }
 
 
 def filling_of(run: Run) -> Filling:
-    """Filling of the gaps in a `run`, from its fix bearing/capacitance; flooded by default. Raises
-    `RunError` for unknown words."""
+    """Return the filling of the gaps in a `run`, as given to fix bearing/capacitance.
+
+    The default is flooded. Raise `RunError` for an unknown kind of surroundings.
+    """
     words = str(run.settings.get("capacitance_commands", "")).split(";")[0].split()
     given: dict[str, Any] = {}
     for place, word in enumerate(words):
@@ -68,7 +72,7 @@ def filling_of(run: Run) -> Filling:
         elif word in ("permittivity_at", "roughness"):
             given[word] = after[0]
     if given.get("kind", "flooded") not in FILLS:
-        raise RunError(f"{run.tables.folder}: surroundings {given['kind']} are not known")
+        raise RunError(f"{run.tables.folder}: surroundings {given['kind']} are unknown")
     return FLOODED._replace(**given)
 
 
@@ -81,18 +85,24 @@ def _is_number(word: str) -> bool:
 
 
 def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0) -> xr.Dataset:
-    """Dataset of a `run` from `raceway.open`: `load`, `separation`, `area`, `plates`, `outside`,
-    `paths`, `total` (time, raceway, ball), `one_ball` (time, ball), `bearing` (time); SI units.
+    """Return the capacitances of a `run` from `raceway.open` as a Dataset in SI units.
 
-    A contact has the film thickness of the run. Below the load Q_u = m r omega_c^2 (balls of
-    `density` in kg/m^3), it has the thickness at Q_u, extrapolated from the contact with the
-    largest load on its raceway at that time with the load exponent of eq 9. A gap without load is
-    at least the distance between ball and raceway, from the positions of ball and ring. `filling`
-    is by default the filling of the run; in that case separations and capacitances come from the
-    record, if it has them (attribute `source`). Values for two grooves of a ring always come from
-    the record and are merged: in parallel, with the thinner film and the larger load, without
-    `play`. All samples must fit into memory. Raises `RunError` for a run without film, balls or
-    rings, and for two grooves with a `filling` or without a record of their capacitances.
+    Its variables are `load`, `separation`, `area`, `plates`, `outside`, `paths` and `total` (time,
+    raceway, ball), `one_ball` (time, ball) and `bearing` (time).
+
+    A contact has the film thickness of the run. If its load is below Q_u = m r omega_c^2 (for balls
+    of `density` in kg/m^3), it has the thickness at Q_u, which is extrapolated from the contact
+    with the largest load on the same raceway at that time, using the load exponent of eq 9. A gap
+    without load is at least as wide as the distance between ball and raceway that follows from the
+    positions of ball and ring.
+
+    `filling` is by default the filling of the run; in this case, separations and capacitances come
+    from the record if it contains them (see the attribute `source`). For a ring with two grooves,
+    values always come from the record and are merged: capacitances are in parallel, the thinner
+    film and the larger load are used, and there is no `play`.
+
+    All samples must fit into memory. Raise `RunError` for a run without film, balls or rings, and
+    for rings with two grooves if a `filling` is given or if their capacitances were not recorded.
     """
     need_film(run, "capacitance")
     contacts = run.contacts
@@ -157,7 +167,7 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
 
 
 def _by_ring(values):
-    """Grooves (inner 0, inner 1, outer 0, outer 1) merged into one raceway per ring."""
+    """Merge the grooves (inner 0, inner 1, outer 0, outer 1) into one raceway per ring."""
     join = {"load": "max", "separation": "min"}.get(values.name, "sum")
     pairs = [getattr(values.isel(raceway=slice(k, k + 2)), join)("raceway") for k in (0, 2)]
     joined = xr.concat(pairs, xr.Variable("raceway", list(SIDES)))
@@ -165,7 +175,7 @@ def _by_ring(values):
 
 
 def _paths(data, h_c, permittivity, filling):
-    """`paths` as in `capacitors`, from the columns of a record."""
+    """Compute `paths` as in `capacitors`, but from the columns of a record."""
     ellipse = (data["area"] / h_c.drop_vars(ANGLES, errors="ignore")).where(data["load"] > 0, 0.0)
     fills = capacitance_outside.fill(permittivity, filling.kind, filling.outlet)
     around = data["outside"] / (capacitance.VACUUM * fills)
@@ -174,9 +184,12 @@ def _paths(data, h_c, permittivity, filling):
 
 
 def contacts_of(run: Run, whole: xr.Dataset) -> xr.Dataset:
-    """The contacts of a `run` with the columns *separation*, *capacitance_outside* and
-    *capacitance_total* of `whole` (from `over_time`), as in a record with these columns. Input for
-    the circuit (`electric.films.of_dataset`)."""
+    """Return the contacts of a `run` with the columns *separation*, *capacitance_outside* and
+    *capacitance_total* of `whole` (from `over_time`).
+
+    The result is the same as for a record with these columns, and serves as input for the circuit
+    (`electric.films.of_dataset`).
+    """
     contacts = run.contacts.sel(time=whole["time"])
     for name, column in RECORDED.items():
         contacts[column] = whole[name].drop_vars(ANGLES, errors="ignore")
@@ -189,12 +202,14 @@ def fields(
     voltage: float,
     strength: float = film_voltage.STRENGTH,
 ) -> xr.Dataset:
-    """Effect of a `voltage` (V) between the rings, with `whole` from `over_time`. Variables (time,
-    raceway, ball) of the Dataset are `share` (V, of each film), `field` and `field_peaks` (V/m with
-    sign, over h_c and over h_c - 3 sigma; infinite where peaks meet) and `state` (index into
-    `film_voltage.STATES`). Variables (time) are `threshold` and `threshold_peaks` (V, at which the
-    first film of `strength` in V/m fails), `weakest` (number of the ball with this film, for smooth
-    films) and `energy` (J, of the bearing at that voltage, for smooth films).
+    """Return the effect of a `voltage` (V) between the rings as a Dataset.
+
+    `whole` is from `over_time`. The variables (time, raceway, ball) are `share` (V, the voltage
+    across each film), `field` and `field_peaks` (V/m with sign, for the gaps h_c and h_c - 3 sigma;
+    infinite where peaks meet) and `state` (index into `film_voltage.STATES`). The variables (time)
+    are `threshold` and `threshold_peaks` (V, the voltage at which the first film of `strength` in
+    V/m fails), `weakest` (number of the ball with this film, for smooth films) and `energy` (J, the
+    energy of the bearing at this voltage, for smooth films).
     """
     total = {name: whole["total"].sel(raceway=name, drop=True).to_numpy() for name in SIDES}
     gaps = whole["separation"].transpose("time", "raceway", "ball").to_numpy()
@@ -237,14 +252,15 @@ def _states(run, whole):
 
 
 def _aligned(run):
-    """Contacts, and gaps (time, raceway, ball) between balls and rings in m, at common times."""
+    """Return the contacts, and the gaps (time, raceway, ball) between balls and rings in m, at the
+    same times."""
     if "angle" not in run.contacts or "h_c" not in run.contacts:
         raise RunError(f"{run.tables.folder}: the contacts need the columns angle and h_c")
     return run.contacts, _gaps(run.tables, run.balls, run.settings["clearance_m"])
 
 
 def _gaps(tables: RunTables, balls, clearance):
-    """Negative overlap of every ball with both grooves, from positions alone."""
+    """Return the negative overlap of every ball with both grooves, computed only from positions."""
     bearing, place = tables.geometry, np.stack([balls[axis].to_numpy() for axis in "xyz"])
     out = []
     for side in (INNER, OUTER):
@@ -271,14 +287,14 @@ def _cage_speed(run) -> float:
 
 
 def _separation(bearing, side, table, quiet, clearance) -> Floats:
-    """h_c of max(Q, Q_u), (time, ball)."""
+    """Return h_c at the load max(Q, Q_u) as an array (time, ball)."""
     load, thick = table["load"].to_numpy(), table["h_c"].to_numpy()
     r_x, r_y = bearing.effective_radii(side, 0.0, clearance)
     power = film.load_exponent(hertz.exact(r_x, r_y).kappa)
     live = load > 0
     if not live.any():
         raise RunError(f"no ball is loaded on the {SIDES[side]} raceway in any sample")
-    # h_c Q^m at the largest load: the load-independent factor of the film
+    # h_c Q^m at the largest load is the load-independent factor of the film thickness.
     with np.errstate(invalid="ignore"):
         factor = np.where(live, thick * load**power, 0.0)
     top = np.take_along_axis(factor, load.argmax(1)[:, None], axis=1)

@@ -1,3 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Many runs: `points` reads their table, `point_run` does one run, `sweep` does all of them, and
-`gather` collects the results in a table. `heat_runs` does the runs that find a temperature."""
+"""Execution of many runs.
+
+`points` reads the table of a sweep, `point_run` executes one run, `sweep` executes all of them, and
+`gather` collects the results in a table. `heat_runs` executes the runs that find a temperature.
+"""

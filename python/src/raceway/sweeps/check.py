@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The numerical error of a run, from repeats with finer integration, with more samples, and with
-longer settling.
+"""Estimate the numerical error of a run by repeating it with finer integration, with more samples,
+and with longer settling.
 
-The repeats are points as in a sweep, in the folder `check` of the run; they can be stopped and
-resumed. `check.json` holds the results.
+The repeats are handled like the points of a sweep, in the folder `check` of the run; they can be
+stopped and resumed. `check.json` contains the results.
 """
 
 import json
@@ -22,13 +22,13 @@ from raceway.runs.summary import CHECK, identity, summary
 from raceway.runs.tables import RunTables
 from raceway.sweeps.point_run import FAILED, FINISHED, run_point
 
-FINER = 0.1  # factor on the tolerance; for velocity Verlet, half the step
+FINER = 0.1  # factor on the tolerance; for velocity Verlet, the time step is halved instead
 MORE = 2  # factor on the number of samples
 LONGER = 100  # additional ball passes of settling; slow drifts of light balls take this long
 IMPLICIT = ("implicit", "damping", "vibration")  # integrators with a tolerance
 TOLERANCES = ("tolerance", "relative_tolerance", "cage_tolerance")
 OF_IMPLICIT = (*TOLERANCES, "step_error", "step_control")
-# keys for cost and settings, which are not figures
+# keys of costs and settings, for which no error is computed
 LEFT_OUT = (
     *("wall_s", "real_time_factor", "processor_s", "evaluations"),
     *("step_s", "simulated_s", "passes"),
@@ -36,7 +36,7 @@ LEFT_OUT = (
     *("permittivity", "roughness_m"),
     *KEYS.values(),
 )
-# a repeat with different settings is another run: the run did not record some -var value
+# settings that must be the same in a repeat; if they differ, the run did not record some -var value
 SAME = (
     *("load_N", "rpm", "load_azimuth_rad", "axial_N", "moment_x_N_m", "moment_y_N_m"),
     *("unbalance_kg_m", "clearance_m", "balls", "ball_diameter_m", "inner_radius_m"),
@@ -48,8 +48,10 @@ SAME = (
 
 
 def variables(tables: RunTables) -> dict[str, str]:
-    """The main deck's variables of the run `tables`. Raises `RacewayError` for a run that did not
-    record them."""
+    """Return the main deck's variables of the run `tables`.
+
+    Raise `RacewayError` if the run did not record them.
+    """
     known = deck_words(tables.settings)
     if not known:
         raise RacewayError(
@@ -66,14 +68,15 @@ def variables(tables: RunTables) -> dict[str, str]:
     if tables.settings.get("orbit") == "found":
         known["settle"] = "orbit"
         return {**known, "passes": f"{tables.settings['passes']:.15g}"}
-    known.pop("settled", None)  # the repeats settle for as long as the run did
+    known.pop("settled", None)  # the repeats settle for the same time as the run
     if known.get("settle") in ("auto", "orbit"):
         known["settle"] = f"{tables.settings['settled_passes']:.15g}"
     return {**known, "passes": f"{tables.settings['passes']:.15g}"}
 
 
 def repeats(tables: RunTables) -> dict[str, dict[str, str]]:
-    """{"integration": ..., "sampling": ..., "settling": ...}: the variables of the repeats."""
+    """Return {"integration": ..., "sampling": ..., "settling": ...} with the variables of the
+    repeats."""
     own = variables(tables)
     finer = dict(own)
     if own["integrator"] in IMPLICIT:
@@ -84,7 +87,7 @@ def repeats(tables: RunTables) -> dict[str, dict[str, str]]:
         finer["step"] = f"{0.5 * tables.settings['step_s']:.15g}"
         for name in OF_IMPLICIT:
             finer.pop(name, None)
-    # integrator vibration has one step per sample, so more samples also mean a finer step
+    # The integrator `vibration` has one step per sample, so more samples also mean a finer step.
     count = "oversampling" if "oversampling" in own else "samples"
     sampled = {**own, count: f"{MORE * int(float(own[count]))}"}
     if own["integrator"] not in IMPLICIT:
@@ -100,15 +103,16 @@ def repeats(tables: RunTables) -> dict[str, dict[str, str]]:
 
 
 def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> dict[str, Any]:
-    """Errors by figure in SI units: {key: {"integration": error, "sampling": error, "settling":
-    error}}, also written to `check.json` in `folder`.
+    """Return the numerical errors of the results of a run in SI units.
 
-    `command` is a list: program, options, deck. `more` are variables of the run in addition to
-    those that it recorded. An error is the difference of a figure between the run and its repeat.
-    Raises `RacewayError` if a repeat fails or is not the same run.
+    The errors are returned as {key: {"integration": error, "sampling": error, "settling": error}}
+    and also written to `check.json` in `folder`. `command` is a list of program, options and deck.
+    `more` contains variables of the run in addition to those that it recorded. An error is the
+    difference of a result between the run and its repeat. Raise `RacewayError` if a repeat fails or
+    if its settings differ from those of the run.
     """
     tables = RunTables(folder)
-    variables(tables)  # raises for a run without variables, which cannot be repeated
+    variables(tables)  # raises an error for a run without variables, which cannot be repeated
     figures, errors = summary(tables), {}
     for name, words in repeats(tables).items():
         place = Path(folder) / "check" / name
@@ -121,7 +125,7 @@ def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> 
             before, now = (one.settings.get(key) for one in (tables, again))
             if before != now:
                 raise RacewayError(
-                    f"{place} has {key} {now}, {folder} has {before}: give --var for data that"
+                    f"{place} has {key} {now}, but {folder} has {before}: give --var for data that"
                     " were given to the run"
                 )
         for key, value in summary(again).items():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A deck with changed values of its variables, as if edited by a user."""
+"""Text of a deck with changed values of its variables, as if a user had edited it."""
 
 import os
 import re
@@ -10,19 +10,22 @@ from raceway.errors import RacewayError, near
 from raceway.files import FilePath
 from raceway.sweeps.points import deck_variables
 
-# characters that a host interprets
+# characters that have a special meaning for a host
 SPECIAL = re.compile(r"[\"'$&#\x00-\x1f\x7f]")
 LINE = r"^(\s*variable\s+{}\s+index\s+)(\"[^\"]*\"|\S+)([^\S\n]*)"
 FIRST = re.compile(r"^\s*variable\s", re.MULTILINE)
-# names of files; paths are relative to the caller's folder, in decks to the inputs folder
+# Variables that are file names. Here, paths are relative to the caller's folder, but in decks they
+# are relative to the inputs folder.
 FILES = ("bearing", "lubricant")
 
 
 def values(deck: FilePath, given: Mapping[str, object]) -> dict[str, str]:
-    """The `given` values of variables of `deck` as text, except those that are None. Numbers keep
-    all their digits, True and False become yes and no; a bearing or lubricant with a slash is a
-    path. Raises `RacewayError` for a name that the deck does not have and for a value that cannot
-    be written."""
+    """Convert the `given` values of variables of `deck` to text, omitting those that are None.
+
+    Numbers keep all their digits, True and False become yes and no, and a bearing or lubricant with
+    a slash is a path. Raise `RacewayError` for a name that the deck does not have and for a value
+    that cannot be written.
+    """
     known, found = deck_variables(deck), {}
     for name, value in given.items():
         if value is None:
@@ -45,7 +48,7 @@ def _text(name, value):
     if isinstance(value, Real):
         return repr(float(value)).removesuffix(".0")  # 2000 and 2000.0 have the same folder
     if not isinstance(value, str | os.PathLike):
-        raise RacewayError(f"{name} is {value!r}, must be a number, a text, True or False")
+        raise RacewayError(f"{name} is {value!r}, must be a number, a string, True or False")
     text = os.fspath(value)
     if not text.strip() or SPECIAL.search(text):
         raise RacewayError(
@@ -55,9 +58,11 @@ def _text(name, value):
 
 
 def text(deck: FilePath, own: Mapping[str, str], heading: str) -> str:
-    """The deck at path `deck` with the values of `own` (text by variable) and a `heading`, a
-    comment line. A variable that the deck takes from its data files gets a line before the first of
-    the deck's own variables."""
+    """Return the deck at path `deck` with the values of `own` and a `heading` as comment line.
+
+    `own` maps variables to text. For a variable that the deck takes from its data files, a line is
+    inserted before the first of the deck's own variables.
+    """
     with open(deck, encoding="utf-8") as file:
         found = file.read()
     added = []

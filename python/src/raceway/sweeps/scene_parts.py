@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What `raceway needs` may omit or coarsen: the choices of `scene_parts.yaml` as tuples, and sets
-of choices as variables of a deck."""
+"""Parts and settings that `raceway needs` may omit or coarsen.
+
+The choices in `scene_parts.yaml` are provided as tuples, and sets of them as variables of a deck.
+"""
 
 from collections.abc import Iterable, Mapping, Sequence
 from importlib.resources import files
@@ -15,28 +17,28 @@ from raceway.errors import RacewayError
 _DATA = yaml.safe_load(files("raceway").joinpath("sweeps/scene_parts.yaml").read_text())
 REFERENCE = {name: str(value) for name, value in _DATA["reference"].items()}
 FINER = {name: str(value) for name, value in _DATA["finer"].items()}
-FIGURES = {  # {word of --want: keys of the summary, of which the first one present counts}
+FIGURES = {  # {word of --want: keys of the summary, of which the first one present is used}
     word: tuple(keys) if isinstance(keys, list) else (keys,)
     for word, keys in _DATA["figures"].items()
 }
 
 
-JOINED = ("without", "cage_without")  # variables that list parts, joined by +
+JOINED = ("without", "cage_without")  # variables that list parts joined by +
 
 
 class Choice(NamedTuple):
-    """Something to omit or coarsen: a part to leave out, or variables to set."""
+    """A choice to omit or coarsen something: a part to leave out, or variables to set."""
 
     name: str
     label: str
     group: str  # a set has at most one choice of a group
-    without: tuple[tuple[str, str], ...]  # (variable of `JOINED`, part listed in it)
-    settings: tuple[tuple[str, str], ...]
-    parts: tuple[str, ...] | None  # parts of these models; None: of the models of the reference
+    without: tuple[tuple[str, str], ...]  # (variable in `JOINED`, part listed in it)
+    settings: tuple[tuple[str, str], ...]  # (variable, value)
+    parts: tuple[str, ...] | None  # parts that these models have; None: as in the reference
 
 
 def figures(summary: Mapping[str, Any]) -> dict[str, float]:
-    """The figures in a run's `summary`, by word of --want, SI units."""
+    """Return {word of --want: result in SI units} from the `summary` of a run."""
     found = {
         word: next((summary[key] for key in keys if summary.get(key)), None)
         for word, keys in FIGURES.items()
@@ -45,16 +47,18 @@ def figures(summary: Mapping[str, Any]) -> dict[str, float]:
 
 
 def whole_scene(given: Mapping[str, str], lubricated: bool) -> dict[str, str]:
-    """The deck's variables of a scene: `given` values, and assumed values for other variables."""
+    """Return the deck's variables of a scene: the `given` values, and assumed values for others."""
     return {**(_DATA["assumed"] if lubricated else {}), **given}
 
 
 def choices(
     scene: Mapping[str, str], lubricated: bool, defaults: Mapping[str, str] | None = None
 ) -> list[Choice]:
-    """The choices for contacts with a film or for dry contacts, except choices that the deck's
-    variables `scene` already make and choices for parts that the scene lacks; `defaults` are the
-    deck's own values."""
+    """Return the choices for contacts with a film or for dry contacts.
+
+    Choices that the deck's variables `scene` already make and choices for parts that the scene
+    lacks are excluded; `defaults` are the deck's own values.
+    """
     return [
         choice
         for choice in _all_choices(lubricated, {**(defaults or {}), **scene})
@@ -79,8 +83,11 @@ def _all_choices(lubricated, values):
 
 
 def lubricated(scene: Mapping[str, str], default: str) -> bool:
-    """True if contacts with the deck's variables `scene` have a film; `default` is the deck's
-    lubricant. Unknown lubricants count as lubricants; the deck reports them."""
+    """Return True if contacts have a film for the deck's variables `scene`.
+
+    `default` is the lubricant of the deck. An unknown lubricant counts as a lubricant, because the
+    deck reports it.
+    """
     try:
         data = inputs.values(catalogue.find("lubricants", scene.get("lubricant", default)))
     except RacewayError:
@@ -89,7 +96,7 @@ def lubricated(scene: Mapping[str, str], default: str) -> bool:
 
 
 def variables(picked: Iterable[Choice]) -> dict[str, str]:
-    """The deck's variables of the reference with `picked` omitted or coarsened."""
+    """Return the deck's variables of the reference with the choices `picked` applied."""
     result: dict[str, str] = dict(REFERENCE)
     for choice in picked:
         result.update(choice.settings)
@@ -99,8 +106,10 @@ def variables(picked: Iterable[Choice]) -> dict[str, str]:
 
 
 def sets(available: Sequence[Choice]) -> list[tuple[Choice, ...]]:
-    """All sets of choices that a deck can run: at most one choice per group, and no part that the
-    models of the set lack."""
+    """Return all sets of choices that a deck can run.
+
+    A set has at most one choice per group, and omits no part that its models do not have.
+    """
     groups: dict[str, list[Choice | None]] = {}
     for choice in available:
         groups.setdefault(choice.group, [None]).append(choice)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the points of a sweep on the cores of one machine."""
+"""Run the points of a sweep on the cores of one machine."""
 
 import os
 import select
@@ -32,13 +32,13 @@ def sweep(
     retry: bool = False,
     finished: Callable[[Point], object] | None = None,
 ) -> tuple[dict[str, int], int, Path]:
-    """Run `points` (from `read_points`) in `folder`, `jobs` at a time; return (number by status,
-    points that were finished before, path of the table).
+    """Run `points` (from `read_points`) in `folder`, with `jobs` of them at the same time.
 
-    `command` is a list: program, options, deck. A bar shows progress on a terminal. On
-    KeyboardInterrupt or SystemExit runs are stopped (they leave a restart file), the table is
-    written and the exception is re-raised. `finished` is called in this process with each point as
-    it finishes. Raises `RacewayError` if a worker is killed.
+    Return ({status: number of points}, number of points that were finished before, path of the
+    table). `command` is a list of program, options and deck. A bar shows the progress on a
+    terminal. On KeyboardInterrupt or SystemExit, runs are stopped (and leave a restart file), the
+    table is written, and the exception is raised again. `finished` is called in this process with
+    each point as it finishes. Raise `RacewayError` if a worker is killed.
     """
     folder, counts, todo = Path(folder), Counter(), []
     for point in points:
@@ -48,7 +48,7 @@ def sweep(
         else:
             todo.append(point)
     before = counts[FINISHED]
-    # only this process holds `writing`, so the workers notice if it ends for any reason
+    # Only this process holds `writing`, so the workers are notified if it ends for any reason.
     reading, writing = os.pipe()
     pool = ProcessPoolExecutor(
         min(jobs, len(todo)) or 1, get_context("fork"), _Worker.begin, (reading, writing)
@@ -91,9 +91,9 @@ def sweep(
 
 
 class _Worker:
-    """A process of the pool."""
+    """A worker process of the pool."""
 
-    stop = None  # readable when the sweep ends early, even if killed
+    stop = None  # descriptor that becomes readable if the sweep ends early, even if it is killed
     parent = None
     busy = threading.Lock()
 
@@ -111,7 +111,7 @@ class _Worker:
 
     @classmethod
     def leave_with_parent(cls):
-        """End a worker whose sweep was killed; otherwise it would wait for work forever."""
+        """End a worker whose sweep was killed, because it would otherwise wait for work forever."""
         select.select([cls.stop], [], [])
         while os.getppid() == cls.parent:
             time.sleep(0.2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The variables that decks take from the command line, from the C++ table."""
+"""The variables that decks take from the command line, as listed in the C++ table."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -11,25 +11,31 @@ DATA = {"bearing data", "usual data", *OIL}
 
 
 def rows() -> list[dict[str, Any]]:
-    """{"name", "default", "unit", "range", "of", "meaning", "models"} of each variable. `of` names
-    the commands that take the variable, joined by |, or the kind of data; `models` names the models
-    that use a constant of an oil, "" for all models."""
+    """Return a dict with "name", "default", "unit", "range", "of", "meaning" and "models" for each
+    variable.
+
+    `of` contains the names of the commands that take the variable, joined by |, or the kind of
+    data. `models` contains the models that use a constant of an oil, or "" for all models.
+    """
     return core.table("variables")
 
 
 def default(name: str) -> str:
-    """Default of a variable as text; empty if the command or the data files define it."""
+    """Return the default of a variable as text, which is empty if the command or the data files
+    define it."""
     return next((row["default"] for row in rows() if row["name"] == name), "")
 
 
 def oil() -> dict[str, dict[str, Any]]:
-    """Rows of oil data that have a default, by name."""
+    """Return {name: row} for oil data that have a default."""
     return {row["name"]: row for row in rows() if row["of"] in OIL and row["default"]}
 
 
 def block(values: Mapping[str, float]) -> list[str]:
-    """Lines about `values`, the constants of an oil that its file lacks: name, default, meaning and
-    effect of each constant."""
+    """Return lines of text about `values`, the constants of an oil that its file lacks.
+
+    They state the name, the default and the meaning of each constant.
+    """
     table = oil()
     return ["", "Defaults of constants that the lubricant's file does not have"] + [
         f"  {name} {value:g} {table[name]['unit']}".rstrip() + f": {table[name]['meaning']}"
@@ -38,5 +44,5 @@ def block(values: Mapping[str, float]) -> list[str]:
 
 
 def data() -> list[str]:
-    """Names of the data of bearings and oils."""
+    """Return the names of the data of bearings and oils."""
     return list(dict.fromkeys(row["name"] for row in rows() if DATA & set(row["of"].split("|"))))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The figures: each is a function of a `Book` that returns (matplotlib figure, DataFrame of the
-drawn values)."""
+"""The figures of the paper. Each is a function that takes a `Book` and returns (matplotlib figure,
+DataFrame of the plotted values)."""
 
 from raceway.paper.figures import azimuth, capacitance, free, loads, pressure, regime
 

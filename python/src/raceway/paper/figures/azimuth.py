@@ -13,7 +13,7 @@ from raceway.pictures.style import INK, PALETTE
 
 
 def by_load(book: Book) -> tuple[Figure, pd.DataFrame]:
-    """Fig 8a: capacitance of one ball around the ring, radial loads of 1 to 7 kN."""
+    """Fig 8a: capacitance of one ball around the ring for radial loads of 1 to 7 kN."""
     runs = book.readings.all("loads")
     figure, (axes,) = panel.page(
         "Capacitance of one ball around the ring",
@@ -33,7 +33,7 @@ def by_load(book: Book) -> tuple[Figure, pd.DataFrame]:
 
 
 def by_clearance(book: Book) -> tuple[Figure, pd.DataFrame]:
-    """Fig 9: capacitance of one ball around the ring, three kinds of clearance."""
+    """Fig 9: capacitance of one ball around the ring for different clearances."""
     runs = book.readings.all("clearances")
     figure, (axes,) = panel.page(
         "Capacitance of one ball around the ring",
@@ -57,8 +57,8 @@ def by_clearance(book: Book) -> tuple[Figure, pd.DataFrame]:
 
 
 def _static(axes, book, run):
-    """Draw static theory for a run's oil, load and clearance; return the capacitance on `GRID`,
-    F."""
+    """Plot static theory for the oil, load and clearance of a run, and return the capacitance in F
+    on `GRID`."""
     gap = run.given.get("clearance_ratio", 0) * book.bearing.ball_diameter
     psi, load, _ = theory.loads(book.bearing, float(run.given["load"]), gap)
     order = np.argsort(psi, axis=None)

@@ -11,7 +11,7 @@ from raceway.pictures.style import PALETTE, SOFT
 from raceway.theory.bearing import INNER
 
 WHOLE = "all of the capacitance"
-BACKGROUND = 30e-12  # F, added by the paper (section 4.1)
+BACKGROUND = 30e-12  # F, background that the paper adds (section 4.1)
 
 
 def by_load(book: Book) -> tuple[Figure, pd.DataFrame]:
@@ -27,7 +27,7 @@ def by_load(book: Book) -> tuple[Figure, pd.DataFrame]:
     whole = np.array([run.whole_top_capacitance() for run in runs])
     other = np.array([run.top_capacitance() for run in printed])
     line = np.linspace(1000, 7000, 25)
-    # without clearance, this share is the same for every load
+    # Without clearance, this fraction is the same for every load.
     share = theory.largest_load(bearing, 5000.0) / 5000.0
     rest, rest_printed = (
         theory.ball(bearing, oil, share * line, 0.41, printed=form) for form in (False, True)
@@ -74,7 +74,7 @@ def _by_speed(book, oil):
         "Capacitance on the load line against speed",
         f"6208, {OILS[oil]}, no clearance, ψ = 0; without the 30 pF the paper adds",
     )
-    # one scale for both oils, for comparison
+    # Both oils have the same scale, so that they can be compared.
     most = max(
         run.whole_top_capacitance()
         for name in OILS
@@ -123,7 +123,7 @@ def _by_speed(book, oil):
 
 
 def by_film(book: Book) -> tuple[Figure, pd.DataFrame]:
-    """Fig 11: capacitance of the bearing over permittivity against film thickness."""
+    """Fig 11: capacitance of the bearing divided by permittivity, against film thickness."""
     figure, (axes,) = panel.page(
         "Capacitance over permittivity against film thickness",
         "6208, 5 kN, no clearance: mean of the bearing; film of the inner raceway at ψ = 0",

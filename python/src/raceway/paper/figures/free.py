@@ -15,14 +15,14 @@ from raceway.theory.bearing import Bearing
 
 
 def curved(bearing: Bearing, total_curvature: float) -> Bearing:
-    """The bearing with both grooves of total curvature B (eq A.2)."""
+    """Return the bearing with the total curvature B (eq A.2) for both grooves."""
     radius = cases.groove(bearing, total_curvature)
     return replace(bearing, inner_groove=radius, outer_groove=radius)
 
 
 def measured(book: Book) -> pd.DataFrame:
-    """DataFrame: total_curvature, clearance_m, and angle_deg, endplay_m of simulation and eqs A.3,
-    A.4."""
+    """Return a DataFrame of free contact angle and endplay from the simulation and from eqs A.3
+    and A.4, for each total curvature and clearance."""
     rows = []
     for given, angle, endplay in book.readings.endplays():
         bearing = curved(book.bearing, given["total_curvature"])

@@ -15,8 +15,10 @@ from raceway.theory.bearing import INNER, Bearing
 
 
 def stribeck(bearing: Bearing, radial_load: float, gap: float, psi: Floats) -> tuple[Floats, float]:
-    """(loads in N at `psi` in degrees, load parameter) after Stribeck and Harris (eq A.1) for a
-    clearance `gap` in m."""
+    """Return (loads in N at `psi` in degrees, load parameter) for a clearance `gap` in m.
+
+    The results follow from the theory of Stribeck and Harris (eq A.1).
+    """
     parameter = clearance.load_parameter(gap, distribution.shift(bearing, radial_load, gap))
     return (
         distribution.largest_load(bearing.balls, radial_load, parameter)
@@ -26,8 +28,8 @@ def stribeck(bearing: Bearing, radial_load: float, gap: float, psi: Floats) -> t
 
 
 def distribution_curves(book: Book) -> list[tuple[float, float, Floats, Floats, float]]:
-    """[(P_d/D, load parameter of the run, simulated Q on `GRID` in N, Q of eq A.1 in N, load
-    parameter of eq A.1)]."""
+    """Return a list of tuples with P_d/D, the load parameter of the run, the simulated load Q on
+    `GRID` in N, Q from eq A.1 in N, and the load parameter from eq A.1."""
     result = []
     for run in book.readings.all("distribution"):
         ratio = run.given["clearance_ratio"]
@@ -45,7 +47,7 @@ def distribution_curves(book: Book) -> list[tuple[float, float, Floats, Floats, 
 
 
 def distribution_page(book: Book) -> tuple[Figure, pd.DataFrame]:
-    """Fig A.2: load of a ball over the radial load around the ring."""
+    """Fig A.2: ratio of ball load to radial load around the ring."""
     figure, (axes,) = panel.page(
         "Load of a ball around the ring", "6208, dry, 5 kN, 1 rad/s, inner raceway"
     )

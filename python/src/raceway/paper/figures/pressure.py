@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures 6a and 6b: pressure of the contacts and its effect on the oil's permittivity."""
+"""Figures 6a and 6b: contact pressure and its effect on the permittivity of the oil."""
 
 import numpy as np
 import pandas as pd

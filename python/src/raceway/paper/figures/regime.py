@@ -11,12 +11,14 @@ from raceway.pictures.style import INK, PALETTE, SOFT
 from raceway.theory import film
 from raceway.theory.bearing import INNER
 
-PASSAGE = 60e-12  # F, boundary to mixed lubrication (section 4.2 of the paper)
+PASSAGE = 60e-12  # F, transition from boundary to mixed lubrication (section 4.2 of the paper)
 
 
 def curves(book: Book, printed: bool = False) -> dict[str, pd.DataFrame]:
-    """{oil: DataFrame} of the runs at 5 kN: entrainment_m_s, lambda at psi = 0 (inner),
-    capacitance_F (bearing)."""
+    """Return {oil: DataFrame} for the runs at 5 kN.
+
+    The columns are entrainment_m_s, lambda (inner raceway, psi = 0) and capacitance_F (bearing).
+    """
     result = {}
     for name in OILS:
         runs = book.readings.some(

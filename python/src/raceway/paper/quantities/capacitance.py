@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Capacitances of the runs."""
+"""Quantities related to the capacitances in the runs."""
 
 from collections.abc import Callable
 
@@ -19,16 +19,18 @@ PLATES = (Reading.top_capacitance, lambda run: run.figures["capacitance_F"])
 
 
 def measure(book: Book, printed: bool) -> dict[str, Quantity]:
-    """See `quantities`."""
+    """Return {name: `Quantity`}; see `quantities`."""
     form = "_printed" if printed else ""
     result = of_runs(book, form, *PLATES)
     return result if printed else result | _same(book, curves(book, form, *PLATES))
 
 
 def of_runs(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[str, Quantity]:
-    """The quantities of figs 8, 10 and 11 from `top`, the capacitance of a ball on the load line,
-    and `mean`, the capacitance of the bearing, F; `form` is the end of the names of the sets of
-    runs."""
+    """Return the quantities of figs 8, 10 and 11.
+
+    `top` returns the capacitance in F of a ball on the load line for a run, and `mean` that of the
+    bearing; `form` is the suffix of the names of the sets of runs.
+    """
     runs = book.readings
     by_load = {run.given["load"]: top(run) for run in runs.all("loads" + form)}
     loads, tops = np.array(list(by_load)), np.array(list(by_load.values()))
@@ -36,9 +38,9 @@ def of_runs(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[str, Quantit
         "top_1": Quantity(by_load[1000], "F", "one ball at ψ = 0, 1 kN"),
         "top_5": Quantity(by_load[5000], "F", "5 kN"),
         "top_7": Quantity(by_load[7000], "F", "7 kN"),
-        "load_step": Quantity(np.diff(tops).min(), "F", "smallest rise per kN"),
+        "load_step": Quantity(np.diff(tops).min(), "F", "smallest increase per kN"),
         "load_power": Quantity(
-            np.polyfit(np.log(loads), np.log(tops), 1)[0], "", "power of the load"
+            np.polyfit(np.log(loads), np.log(tops), 1)[0], "", "exponent of the load"
         ),
         "ring_mean": Quantity(
             mean(runs.one("loads" + form, load=5000)),
@@ -54,20 +56,22 @@ def of_runs(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[str, Quantit
         "speed_step": Quantity(
             max(np.diff(rows[1]).max() for rows in curve.values()),
             "F",
-            "largest change from speed to speed (all fall)",
+            "largest change between successive speeds (all decrease)",
         ),
         "slow_slope": Quantity(
-            -slopes[0], "F s/m", "fall per m/s from 0.02 to 0.05 m/s, mineral, 5 kN"
+            -slopes[0], "F s/m", "decrease per m/s from 0.02 to 0.05 m/s, mineral, 5 kN"
         ),
         "fast_slope": Quantity(-slopes[-1], "F s/m", "from 1.0 to 1.2 m/s"),
-        "slow_share": Quantity(slopes[0] / slopes[-1], "", "slope at low over slope at high speed"),
+        "slow_share": Quantity(
+            slopes[0] / slopes[-1], "", "ratio of the slopes at low and high speed"
+        ),
         "load_ratio": Quantity(
             min((curve[oil, 5000][1] / curve[oil, 1000][1]).min() for oil in book.oils),
             "",
-            "smallest ratio 5 kN over 1 kN",
+            "smallest ratio of 5 kN to 1 kN",
         ),
         "pao_least": Quantity(
-            min(one.min() for one in over), "", "smallest ratio PAO over mineral"
+            min(one.min() for one in over), "", "smallest ratio of PAO to mineral"
         ),
         "pao_most": Quantity(max(one.max() for one in over), "", "largest"),
     }
@@ -76,17 +80,20 @@ def of_runs(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[str, Quantit
         result[f"film_power_{load}"] = Quantity(
             np.polyfit(np.log(thick), np.log(value), 1)[0],
             "",
-            f"power of $h_{{min}}$ at {load // 1000} kN",
+            f"exponent of $h_{{min}}$ at {load // 1000} kN",
         )
     result["collapse"] = Quantity(
-        _collapse(book, curve), "%", "largest difference of the oils at the same $h_{min}$"
+        _collapse(book, curve), "%", "largest difference between the oils at the same $h_{min}$"
     )
     return result
 
 
 def curves(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[tuple[str, int], Floats]:
-    """{(oil, load): (4, speeds)} of the runs of fig 10: entrainment speed, capacitance of a ball on
-    the load line, capacitance of the bearing, and smallest film on the load line; SI units."""
+    """Return {(oil, load): array (4, speeds)} for the runs of fig 10 in SI units.
+
+    The rows are the entrainment speed, the capacitance of a ball on the load line, the capacitance
+    of the bearing, and the smallest film thickness on the load line.
+    """
     curve = {
         (oil, load): [
             (run.given["entrainment"], top(run), mean(run), run.top(INNER, "h_min"))
@@ -99,8 +106,8 @@ def curves(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[tuple[str, in
 
 
 def _collapse(book, curve):
-    """Relative difference of C/eps_r between the oils at equal film thickness, 5 kN, where both
-    have films."""
+    """Return the relative difference of C/eps_r between the oils at equal film thickness and 5 kN,
+    in the range in which both oils have films."""
     lines = {
         oil: (
             np.log(curve[oil, 5000][3]),
@@ -130,7 +137,7 @@ def _same(book, curve):
             * area
         )
     )
-    # all balls in one pass form the curve over azimuth; other balls form its mirror image
+    # All balls in one pass form the curve against azimuth; other balls form its mirror image.
     mirrored = np.abs(around - around[::-1]).max() / around.max()
     other = {
         load: runs.one("measured_bearing", load=load).top_capacitance() for load in (1000, 5000)
@@ -160,26 +167,26 @@ def _same(book, curve):
     ]
     return {
         "theory_ball": Quantity(
-            np.abs(tops).max(), "%", "one ball at ψ = 0, simulation against static theory, at most"
+            np.abs(tops).max(), "%", "one ball at ψ = 0, largest deviation from static theory"
         ),
         "theory_bearing": Quantity(
-            np.abs(means).max(), "%", "bearing, simulation against static theory, at most"
+            np.abs(means).max(), "%", "bearing, largest deviation from static theory"
         ),
         "pao_low": Quantity(
             low, "", "over the plausible ranges of both oils at 5 kN, 0.41 m/s: from"
         ),
         "viscosity_power": Quantity(
-            sensitivity.power(book, "viscosity"), "", "power of the viscosity in C"
+            sensitivity.power(book, "viscosity"), "", "exponent of the viscosity in C"
         ),
         "permittivity_power": Quantity(
             sensitivity.power(book, "permittivity"), "", "of the permittivity"
         ),
         "pao_high": Quantity(high, "", "to"),
         "plates": Quantity(
-            np.abs(plates - 1).max(), "%", "$C h_c/(ε_0 ε_r π a b)$ off one, at most"
+            np.abs(plates - 1).max(), "%", "largest deviation of $C h_c/(ε_0 ε_r π a b)$ from one"
         ),
         "mirror": Quantity(
-            mirrored, "%", "one ball's curve against its mirror image from other balls"
+            mirrored, "%", "deviation of one ball's curve from its mirror image from other balls"
         ),
         "loaded_zone": Quantity(
             np.abs(psi[value > 0]).max(), "°", "largest |ψ| with capacitance, no clearance"

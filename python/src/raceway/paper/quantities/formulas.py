@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Quantities that follow from formulas and the bearing's data alone."""
+"""Quantities that follow only from formulas and the data of the bearing."""
 
 import numpy as np
 
@@ -12,11 +12,11 @@ from raceway.units import prefixed
 
 CAGE_BALL = 4.19e-3  # m, R_z (table 1)
 STEEL = 7800.0  # kg/m3
-WIDTH = 18e-3  # m, of a 6208 (ISO 15)
+WIDTH = 18e-3  # m, width of a 6208 (ISO 15)
 
 
 def measure(book: Book, printed: bool) -> dict[str, Quantity]:
-    """See `quantities`."""
+    """Return {name: `Quantity`}; see `quantities`."""
     b, oil = book.bearing, book.oils["mineral"]
     q = theory.largest_load(b, 5000.0)
     result = {}
@@ -28,7 +28,7 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
             f"stiffness_{name}": Quantity(
                 hertz.stiffness(shape, modulus) / hertz.stiffness(exact, modulus),
                 "",
-                f"stiffness over exact Hertz, {name}",
+                f"stiffness relative to exact Hertz theory, {name}",
             ),
             f"ellipticity_{name}": Quantity(shape.kappa, "", f"κ {name}"),
         }
@@ -52,7 +52,9 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
         ),
         "h_c_over_h_min": Quantity(contact.h_c / contact.h_min, "", "$h_c/h_{min}$"),
         "sphere_stiffness": Quantity(
-            1 / (1 - b.poisson) if printed else 1.0, "", "ball on cage ball over Hertz of spheres"
+            1 / (1 - b.poisson) if printed else 1.0,
+            "",
+            "stiffness of ball on cage ball relative to Hertz",
         ),
     }
     return result if printed else result | _same(book, q)
@@ -68,7 +70,7 @@ def _same(book, q):
         "pocket_gap": Quantity(
             2 * radius * np.sin(np.pi / 18) - b.ball_radius - CAGE_BALL,
             "m",
-            "gap ball to cage ball",
+            "gap between ball and cage ball",
         ),
         "conformity": Quantity(b.inner_groove / diameter, "", "$r_c/D$"),
         "clearance_35": Quantity(0.0035 * diameter, "m", "0.0035 D"),
@@ -90,19 +92,19 @@ def _same(book, q):
             "film damping there, 0.41 m/s",
         ),
         "lambda_of_ball_roughness": Quantity(
-            film.ratio(1.0, 1.0, 0.2) - 1, "%", "change of $Λ_f$ by a ball one fifth as rough"
+            film.ratio(1.0, 1.0, 0.2) - 1, "%", "change of $Λ_f$ due to a ball one fifth as rough"
         ),
         "vacuum": Quantity(capacitance.VACUUM, "F/m", "ε₀"),
         "density": Quantity(capacitance.density_ratio(2.571e9), "", "ρ/ρ₀ at 2.571 GPa"),
         "permittivity_rise": Quantity(
             capacitance.permittivity(pao.permittivity, 2.571e9) / pao.permittivity,
             "",
-            "$ε_r$ at 2.571 GPa over $ε_r$ at rest",
+            "ratio of $ε_r$ at 2.571 GPa to $ε_r$ at ambient pressure",
         ),
         "permittivity_step": Quantity(
             np.diff(capacitance.permittivity(pao.permittivity, np.linspace(0, 3e9, 301))).min(),
             "",
-            "smallest rise of $ε_r$ per 10 MPa up to 3 GPa",
+            "smallest increase of $ε_r$ per 10 MPa up to 3 GPa",
         ),
         "ring_to_ring": Quantity(
             capacitance.VACUUM
@@ -112,7 +114,7 @@ def _same(book, q):
             * WIDTH
             / np.log(b.outer_radius / b.inner_radius),
             "F",
-            f"rings as a coaxial capacitor {prefixed(WIDTH, 'm', 2)} wide, full of oil",
+            f"rings as a coaxial capacitor {prefixed(WIDTH, 'm', 2)} wide, filled with oil",
         ),
         "centrifugal": Quantity(
             4 / 3 * np.pi * b.ball_radius**3 * STEEL * radius * kinematics.frequencies(b).cage ** 2,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Loads, pressures and load parameters of the runs."""
+"""Quantities related to loads, pressures and load parameters in the runs."""
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from raceway.theory.bearing import INNER, OUTER
 
 
 def measure(book: Book, printed: bool) -> dict[str, Quantity]:
-    """See `quantities`."""
+    """Return {name: `Quantity`}; see `quantities`."""
     form = "_printed" if printed else ""
     run = book.readings.one("pressure" + form)
     result = {
@@ -37,7 +37,7 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
         if abs(ratio) in (0, 0.0035):
             balls, label = one.loaded_balls(), f"{ratio:g}".replace("-", "−")
             result[f"loaded_{key}"] = Quantity(
-                balls.mean(), "", f"balls loaded at {label}, mean of 9"
+                balls.mean(), "", f"loaded balls at {label}, mean (out of 9)"
             )
             result[f"loaded_least_{key}"] = Quantity(balls.min(), "", "least")
             result[f"loaded_most_{key}"] = Quantity(balls.max(), "", "most")
@@ -62,7 +62,9 @@ def _same(book, run):
             away, "%", "largest difference from static loads without a cage"
         ),
         "hertz_power": Quantity(
-            np.polyfit(np.log(overlap[some]), np.log(load[some]), 1)[0], "", "power of the overlap"
+            np.polyfit(np.log(overlap[some]), np.log(load[some]), 1)[0],
+            "",
+            "exponent of the overlap",
         ),
         "stribeck_top": Quantity(
             run.top(INNER, "load") * b.balls * distribution.radial_integral(0.5) / 5000.0,
@@ -77,12 +79,12 @@ def _same(book, run):
         "explicit_load": Quantity(
             abs(explicit.figures["q_max_N"] / run.figures["q_max_N"] - 1),
             "%",
-            "largest load, Verlet against implicit",
+            "largest load, Verlet compared with implicit",
         ),
         "explicit_capacitance": Quantity(
             abs(explicit.figures["capacitance_F"] / run.figures["capacitance_F"] - 1),
             "%",
-            "capacitance, Verlet against implicit",
+            "capacitance, Verlet compared with implicit",
         ),
         "p_outer_unloaded": Quantity(
             np.interp(180.0, *run.around(OUTER, "pressure")),
@@ -105,12 +107,12 @@ def _same(book, run):
         "epsilon_stiff_20": Quantity(
             clearance.load_parameter(-25.2e-6, distribution.shift(b, 5000.0, -25.2e-6)),
             "",
-            "ε of Stribeck-Harris",
+            "ε from Stribeck-Harris",
         ),
         "epsilon_loose_20": Quantity(
             clearance.load_parameter(25.2e-6, distribution.shift(b, 5000.0, 25.2e-6)),
             "",
-            "ε of Stribeck-Harris",
+            "ε from Stribeck-Harris",
         ),
     }
     for ratio, _, simulated, formula, _ in distribution_curves(book):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Motion of balls and cage in the runs, independent of the printed formulas."""
+"""Quantities related to the motion of balls and cage, which the printed formulas do not affect."""
 
 import numpy as np
 
@@ -10,22 +10,22 @@ from raceway.theory import kinematics
 
 
 def measure(book: Book, printed: bool) -> dict[str, Quantity]:
-    """See `quantities`."""
+    """Return {name: `Quantity`}; see `quantities`."""
     if printed:
         return {}
     run, b = book.readings.one("pressure"), book.bearing
     shaft, orders = 477.5 * np.pi / 30, kinematics.frequencies(b)
     cage = run.figures["cage_speed_rad_s"] / shaft
-    spin = run.spin() / shaft + cage  # of a ball relative to the cage
+    spin = run.spin() / shaft + cage  # spin of a ball relative to the cage
     return {
-        "ftf": Quantity(cage / orders.cage - 1, "%", f"FTF against {orders.cage:.4f} of the shaft"),
+        "ftf": Quantity(cage / orders.cage - 1, "%", f"FTF relative to {orders.cage:.4f} orders"),
         "bpfo": Quantity(
-            b.balls * cage / orders.outer - 1, "%", f"BPFO against {orders.outer:.4f}"
+            b.balls * cage / orders.outer - 1, "%", f"BPFO relative to {orders.outer:.4f}"
         ),
         "bpfi": Quantity(
-            b.balls * (1 - cage) / orders.inner - 1, "%", f"BPFI against {orders.inner:.4f}"
+            b.balls * (1 - cage) / orders.inner - 1, "%", f"BPFI relative to {orders.inner:.4f}"
         ),
-        "bsf": Quantity(spin / orders.spin - 1, "%", f"BSF against {orders.spin:.4f}"),
+        "bsf": Quantity(spin / orders.spin - 1, "%", f"BSF relative to {orders.spin:.4f}"),
         "cage_contact": Quantity(
             run.cage_contact_share(b.ball_radius, CAGE_BALL),
             "%",

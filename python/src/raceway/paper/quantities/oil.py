@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Films and lubrication regimes of the runs. The printed eq 9 affects only the central
-thickness."""
+"""Quantities related to films and lubrication regimes in the runs. The printed eq 9 affects only
+the central film thickness."""
 
 import numpy as np
 
@@ -14,7 +14,7 @@ SHORT = {"mineral": "mineral", "pao48": "PAO"}
 
 
 def measure(book: Book, printed: bool) -> dict[str, Quantity]:
-    """See `quantities`."""
+    """Return {name: `Quantity`}; see `quantities`."""
     b, oils, runs = book.bearing, book.oils, book.readings
     form = "_printed" if printed else ""
     fast = runs.some("speeds" + form, lubricant="mineral", load=5000)[-1]
@@ -50,7 +50,7 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
         for whole, word in ((True, "bearing"), (False, "ball")):
             needed = passage.roughness(b, oils[name], 5000.0, PASSAGE, whole, printed)
             result[f"roughness_{word}_{name}"] = Quantity(
-                needed, "m", f"roughness for it, {SHORT[name]}"
+                needed, "m", f"corresponding roughness, {SHORT[name]}"
             )
         rough = sensitivity.ranges(book)[name]["roughness"][1]
         result[f"passage_rough_{name}"] = Quantity(
@@ -66,12 +66,12 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
     result["lambda_oils"] = Quantity(
         (bound["mineral"]["lambda"] / bound["pao48"]["lambda"]).min(),
         "",
-        "smallest $Λ_f$ of mineral over PAO, same speed",
+        "smallest ratio of $Λ_f$, mineral over PAO, same speed",
     )
     result["lambda_growth"] = Quantity(
         min(np.diff(rows["lambda"]).min() for rows in bound.values()),
         "",
-        "smallest growth of $Λ_f$ from speed to speed",
+        "smallest increase of $Λ_f$ between speeds",
     )
     if not printed:
         slow = [runs.some("speeds", lubricant="pao48", load=load)[0] for load in (5000, 1000)]

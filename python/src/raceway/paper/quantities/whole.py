@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The quantities of figs 8 to 12 from total capacitances instead of the capacitances of the plates,
+"""The quantities of figs 8 to 12 computed from total capacitances instead of those of the plates,
 and the capacitances of the gap around the plates and of unloaded balls."""
 
 import numpy as np
@@ -17,13 +17,13 @@ SPEED, LOAD = sensitivity.SPEED, sensitivity.LOAD
 
 
 def measure(book: Book) -> dict[str, Quantity]:
-    """{name: `Quantity`}, from the corrected formulas."""
+    """Return {name: `Quantity`}, computed with the corrected formulas."""
     result = capacitance.of_runs(book, "", Reading.whole_top_capacitance, Reading.whole_capacitance)
     return result | _around(book) | _one_ball(book) | _oils(book) | _passage(book)
 
 
 def _around(book):
-    """Capacitances outside the plates."""
+    """Return the capacitances outside the plates."""
     runs = book.readings.all("loads")
     more = {run.given["load"]: run.whole_top_capacitance() - run.top_capacitance() for run in runs}
     rings = formulas.measure(book, printed=False)["ring_to_ring"].value
@@ -36,7 +36,7 @@ def _around(book):
         "around_5": Quantity(more[5000], "F", "5 kN"),
         "around_7": Quantity(more[7000], "F", "7 kN"),
         "around_and_rings": Quantity(
-            np.mean(list(more.values())) + rings, "F", "their mean and ring to ring"
+            np.mean(list(more.values())) + rings, "F", "their mean plus ring to ring"
         ),
         "idle_ball": Quantity(
             run.whole_ball_capacitance()[1].min(), "F", "a ball opposite the load, 5 kN"
@@ -61,7 +61,7 @@ def _one_ball(book):
     }
     return {
         "mirror": Quantity(
-            mirrored, "%", "one ball's curve against its mirror image from other balls"
+            mirrored, "%", "deviation of one ball's curve from its mirror image from other balls"
         ),
         "loaded_zone": Quantity(
             np.abs(psi[value > 0]).max(), "°", "largest |ψ| with capacitance, no clearance"
@@ -85,7 +85,7 @@ def _oils(book):
         ),
         "pao_high": Quantity(high, "", "to"),
         "viscosity_power": Quantity(
-            sensitivity.power(book, "viscosity", ball), "", "power of the viscosity in C"
+            sensitivity.power(book, "viscosity", ball), "", "exponent of the viscosity in C"
         ),
         "permittivity_power": Quantity(
             sensitivity.power(book, "permittivity", ball), "", "of the permittivity"
@@ -94,7 +94,8 @@ def _oils(book):
 
 
 def _passage(book):
-    """Points with Lambda = 1, and with the capacitance of the paper's regime change."""
+    """Return quantities at Lambda = 1, and at the capacitance at which the paper's regime
+    changes."""
     b, filling = book.bearing, book.readings.filling("6208")
     result, least = {}, []
     for name, rows in curves(book).items():
@@ -115,7 +116,7 @@ def _passage(book):
         result[f"roughness_ball_{name}"] = Quantity(
             np.exp(brentq(missing, np.log(1e-8), np.log(1e-5), xtol=1e-6)),
             "m",
-            f"roughness for it, {SHORT[name]}",
+            f"corresponding roughness, {SHORT[name]}",
         )
     result["passage_oils"] = Quantity(
         result["passage_capacitance_pao48"].value / result["passage_capacitance_mineral"].value,
