@@ -135,7 +135,7 @@ template <class L> void report(const char *name, int base, const Film &film = {}
   std::vector<double> one(contacts * (L::states + 1));
   std::vector<State> four(contacts / lanes * (L::states + 1));
   double least[2] = {HUGE_VAL, HUGE_VAL};
-    // the minimum is affected least by other work on the machine
+  // the minimum is affected least by other work on the machine
   for (int round = 0; round < 40; ++round) {
     const double t0 = seconds();
     kept += explicit_pass<L>(s, one.data());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Oil properties at a given temperature, from data sheets (docs/tribology, Temperature dependence of
-// lubricant properties). Temperatures are in degrees C, kinematic viscosities in mm^2/s.
+// Oil properties at a given temperature, from data sheets (docs/tribology, Temperature dependence
+// of lubricant properties). Temperatures are in degrees C, kinematic viscosities in mm^2/s.
 //   Walther, ASTM D341   lg lg(nu + 0.7) = A - B lg T, T in K, through nu at 40 and 100 C
 //   Vogel                eta = k exp(b/(T + c))
 //   density, 1/xi        linear in temperature: FVA 3 at ambient pressure has this form of 1/xi
