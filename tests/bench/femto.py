@@ -17,7 +17,7 @@ from typing import NamedTuple
 import matplotlib
 import numpy as np
 import raceway
-from raceway import heat, inputs, steady_heat
+from raceway import heat, heat_scene, inputs
 from raceway.core import laws, library
 from scipy import integrate, optimize
 
@@ -59,7 +59,7 @@ def measured():
 
 def losses():
     path = HERE / "bearing"
-    scene = steady_heat.Scene(
+    scene = heat_scene.Scene(
         inputs.bearing(path),
         None,
         inputs.lubricant(ROOT / "inputs/lubricants" / OIL),

@@ -17,8 +17,8 @@ import numpy as np
 from machine import csv_table
 from raceway import inputs, makers
 from raceway.theory import heat
+from raceway.theory.heat_scene import Scene
 from raceway.theory.operating_point import figures
-from raceway.theory.steady_heat import Scene
 from scipy.optimize import brentq
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -8,7 +8,7 @@ import pytest
 from host import ROOT
 from raceway.cli import main
 from raceway.sweeps import heat_runs
-from raceway.theory import steady_heat
+from raceway.theory import heat_scene, steady_heat
 
 POINT = ["heat", "--load", "5000", "--rpm", "9549", "--lubricant", "vg46"]
 
@@ -50,7 +50,7 @@ def test_balance_with_the_friction_of_runs(capsys, folder):
     assert found["power_loss_W"] == pytest.approx(carried, abs=0.05)
     power = scene.at(hot, 0.0)["power_loss_W"] * found["run_over_statics"]
     assert power == pytest.approx(carried, abs=0.05)
-    still = steady_heat.one_node(scene, conductance, 20.0, 0.0)
+    still = heat_scene.one_node(scene, conductance, 20.0, 0.0)
     assert hot - 20 == pytest.approx(still["temperature_C"] - 20, rel=1e-2)
     assert sum(found["losses_W"].values()) == pytest.approx(found["run_power_W"], rel=1e-9)
     runs = sorted(folder.glob("*/summary.json"))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from raceway import film, friction_torque, heat, hertz, inputs, steady_heat
+from raceway import film, friction_torque, heat, heat_scene, hertz, inputs, steady_heat
 from raceway.cli import main
 from raceway.core import laws
 from raceway.errors import NoEquilibrium
@@ -23,7 +23,7 @@ def in_the_tree(monkeypatch):
 
 def scene(load=5000.0, rpm=1910.0, oil="vg46", **laws):
     path, data = ROOT / "inputs/bearings/6208", ROOT / "inputs/lubricants" / oil
-    return steady_heat.Scene(
+    return heat_scene.Scene(
         inputs.bearing(path),
         inputs.boundary(path),
         inputs.lubricant(data),
@@ -37,7 +37,7 @@ def scene(load=5000.0, rpm=1910.0, oil="vg46", **laws):
 
 
 def test_one_node_balances():
-    found = steady_heat.one_node(scene(), 2.17, 20.0, 0.0)
+    found = heat_scene.one_node(scene(), 2.17, 20.0, 0.0)
     carried = 2.17 * (found["temperature_C"] - 20)
     assert found["power_loss_W"] == pytest.approx(carried, abs=0.05)
     assert sum(found["losses_W"].values()) == pytest.approx(found["power_loss_W"], rel=1e-12)
@@ -46,12 +46,12 @@ def test_one_node_balances():
 
 
 def test_three_nodes_balance_and_tend_to_one():
-    one = steady_heat.one_node(scene(), 3.0, 20.0, 0.0)
-    tight = steady_heat.three_nodes(scene(), steady_heat.Nodes(1.0, 2.0, 1e6), 20.0, 0.0)
+    one = heat_scene.one_node(scene(), 3.0, 20.0, 0.0)
+    tight = heat_scene.three_nodes(scene(), heat_scene.Nodes(1.0, 2.0, 1e6), 20.0, 0.0)
     assert tight["temperature_C"] == pytest.approx(one["temperature_C"], abs=0.05)
     # at equal temperatures, thermal expansion does not change a clearance of zero
     assert tight["clearance_warm_m"] == pytest.approx(0, abs=5e-9)
-    found = steady_heat.three_nodes(scene(), steady_heat.Nodes(0.5, 2.0, 1.0), 20.0, 20e-6)
+    found = heat_scene.three_nodes(scene(), heat_scene.Nodes(0.5, 2.0, 1.0), 20.0, 20e-6)
     inner, outer = found["temperature_inner_C"], found["temperature_outer_C"]
     carried = 0.5 * (inner - 20) + 2.0 * (outer - 20)
     assert found["power_loss_W"] == pytest.approx(carried, abs=0.1)
@@ -77,7 +77,7 @@ def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio, monkeypatch)
         )
 
     monkeypatch.setattr(friction_torque, "surfaces", flooded)
-    found = steady_heat.one_node(scene(rpm=rpm, models="eyring"), 2.17, 20.0, 0.0)
+    found = heat_scene.one_node(scene(rpm=rpm, models="eyring"), 2.17, 20.0, 0.0)
     r_x, r_y = bearing.effective_radii(INNER)
     kappa, modulus = hertz.exact(r_x, r_y).kappa, bearing.effective_modulus
     fluid = inputs.fluid(ROOT / "inputs/lubricants/vg46", found["temperature_C"])
@@ -92,7 +92,7 @@ def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio, monkeypatch)
 
 def test_no_steady_state():
     with pytest.raises(NoEquilibrium, match="no steady temperature: power loss"):
-        steady_heat.one_node(scene(rpm=9549.0), 0.05, 20.0, 0.0)
+        heat_scene.one_node(scene(rpm=9549.0), 0.05, 20.0, 0.0)
 
 
 def test_command(capsys):

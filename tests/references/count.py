@@ -42,7 +42,7 @@ LAWS = {
     "groove and rail": (11, r"groove|rail|shoulder|gothic"),
     "rings and shafts": (9, r"ring_body|shaft|beam|gyroscop"),
     "cage ring": (1, r"cage_ring|pocket|land"),
-    "heat": (2, r"heat_network|steady_heat|flash|conductance|cooling"),
+    "heat": (2, r"heat_network|steady_heat|heat_scene|flash|conductance|cooling"),
     "life": (5, r"life|rating|weibull"),
 }
 REFERENCE = re.compile(

@@ -9,7 +9,7 @@ import raceway
 from host import ROOT, succeed
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
-from raceway.theory import skidding, steady_heat
+from raceway.theory import heat_scene, skidding, steady_heat
 
 OIL = {"rpm": 9549, "lubricant": "vg46", "temperature": 94.5}
 # options that leave out the parts of the model that keep balls from rolling freely
@@ -23,7 +23,7 @@ def of_statics(models, rotation=skidding.rotation):
     for phase in np.arange(4) * np.pi / 18:
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(skidding, "rotation", rotation)
-            patch.setattr(steady_heat, "turning", partial(steady_heat.turning, phase=phase))
+            patch.setattr(heat_scene, "turning", partial(heat_scene.turning, phase=phase))
             passing.append(scene.at(94.5, 0.0)["losses_W"]["slip"])
     return np.mean(passing), np.ptp(passing) / 2
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import raceway
 from host import run, succeed
-from raceway import cage_drag, heat, steady_heat
+from raceway import cage_drag, heat, heat_scene, steady_heat
 
 # the run settles until the energy stored in balls and cage drifts by less than the tolerances below
 POINT = dict(lubricant="vg46", load=5000, rpm=1910, overwrite="yes", settled=1e-4, passes=10,
@@ -24,7 +24,7 @@ def warm(tmp_path_factory):
 
 
 def test_steady_state_is_that_of_raceway_heat(warm):
-    found = steady_heat.figures("6208", "vg46", load=5000.0, rpm=1910.0, nodes=steady_heat.Nodes())
+    found = steady_heat.figures("6208", "vg46", load=5000.0, rpm=1910.0, nodes=heat_scene.Nodes())
     said = warm.summary()
     for part in PARTS:
         assert said[f"temperature_{part}_C"] == pytest.approx(
@@ -40,7 +40,7 @@ def test_steady_state_with_a_cage_ring(tmp_path):
     pockets, which contributes 0.7 W of 32 W in this case."""
     words = dict(heat="yes", cage="ring", cage_without="friction")
     succeed("inputs/in.6208", out=tmp_path, **words, **POINT)
-    case = dict(load=5000.0, rpm=1910.0, nodes=steady_heat.Nodes(), cage=cage_drag.CageRing())
+    case = dict(load=5000.0, rpm=1910.0, nodes=heat_scene.Nodes(), cage=cage_drag.CageRing())
     found, said = steady_heat.figures("6208", "vg46", **case), raceway.open(tmp_path).summary()
     for part in PARTS:
         key = f"temperature_{part}_C"
@@ -55,7 +55,7 @@ def test_oil_that_flows(tmp_path):
     oil = dict(oil_flow=0.5e-3 / 60, oil_inlet=45)
     words = POINT | dict(load=1000, rpm=9549, passes=1)
     succeed("inputs/in.6208", heat="yes", out=tmp_path, **oil, **words)
-    case = dict(load=1000.0, rpm=9549.0, nodes=steady_heat.Nodes(), **oil)
+    case = dict(load=1000.0, rpm=9549.0, nodes=heat_scene.Nodes(), **oil)
     found, warm = steady_heat.figures("6208", "vg46", **case), raceway.open(tmp_path)
     said = warm.summary()
     for part in (*PARTS, "outlet"):

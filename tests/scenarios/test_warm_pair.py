@@ -6,7 +6,7 @@ predicts the outcome."""
 import numpy as np
 import pytest
 from host import ROOT, run, succeed
-from raceway import inputs, steady_heat
+from raceway import heat_scene, inputs
 from raceway.errors import NoEquilibrium
 from raceway.theory.static import STRAIGHT
 
@@ -19,12 +19,12 @@ def rest(shaft):
     the spread."""
     path, oil = ROOT / "inputs/bearings/7205B", ROOT / "inputs/lubricants/vg32"
     held = STRAIGHT | {"z": inputs.held(path, 0.0, 0.0)["z"] + SPREAD}
-    scene = steady_heat.Scene(
+    scene = heat_scene.Scene(
         inputs.bearing(path), None, inputs.lubricant(oil), inputs.oil(oil).roughness, 0.0, 0.0,
         RPM, inputs.ball_density(path), held=held, size=inputs.size(path),
     )  # fmt: skip
-    nodes = steady_heat.Nodes(shaft=shaft, housing=COOLING)
-    return scene, steady_heat.three_nodes(scene, nodes, 20.0, 0.0)
+    nodes = heat_scene.Nodes(shaft=shaft, housing=COOLING)
+    return scene, heat_scene.three_nodes(scene, nodes, 20.0, 0.0)
 
 
 def jumps(folder):

@@ -11,8 +11,8 @@ from raceway import inputs
 from raceway.arrays import Floats
 from raceway.recordings.readings import Point, Reading, Readings
 from raceway.theory import cage_speed
+from raceway.theory.heat_scene import Scene
 from raceway.theory.static import STRAIGHT, Equilibrium
-from raceway.theory.steady_heat import Scene
 
 NO_LAG = 0.0, 0.0
 

@@ -1,36 +1,23 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Steady temperature of a bearing, i.e. the temperature at which cooling balances the friction heat
-that follows from statics, film and friction at that temperature.
+"""Results of `raceway heat`: a bearing with its oil and cooling at its steady temperature
+(`heat_scene`), and its thermal reference speed."""
 
-With one node, the whole bearing and its oil are at one temperature. With three nodes, inner ring,
-balls and outer ring have separate temperatures, the oil is at their mean, and statics uses the
-clearance of the warm parts. In both cases, oil that flows through the bearing carries heat away.
-"""
-
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, NamedTuple
-
-import numpy as np
+from typing import Any
 
 from raceway import catalogue, inputs
-from raceway.arrays import Floats
-from raceway.errors import NoEquilibrium
 from raceway.files import FilePath
 from raceway.rows import Row, lines, several, warning_lines
-from raceway.theory import cage_drag, friction_torque, heat, makers
-from raceway.theory.bearing import INNER, Bearing, DoubleRow
-from raceway.theory.contact_law import FilmInGap
-from raceway.theory.lubricant import Fluid, Lubricant
-from raceway.theory.lubrication import Lubrication, lubricate, turning
+from raceway.theory import cage_drag, heat
+from raceway.theory.bearing import DoubleRow
+from raceway.theory.heat_scene import CirculatingOil, Nodes, Scene, one_node, three_nodes
 from raceway.theory.models import DEFAULT
 from raceway.theory.oil_supply import BATH, Supply
-from raceway.theory.static import STRAIGHT, Equilibrium
+from raceway.theory.static import STRAIGHT
 from raceway.theory.validity import of_statics
 
-ENOUGH = 0.01  # K, tolerance of the temperature
 OF_NODES = ("sides", "cage", "contacts", "drag", "flow")  # of a `Scene`, for its heat balance
 TOPICS = {
     "Operating point": (
@@ -85,220 +72,9 @@ COLUMNS = (  # columns of the table for several points: key, heading, scale
 )
 
 
-@dataclass(frozen=True)
-class Nodes:
-    """Conductances for `heat.three_nodes` in W/K. If `housing` is None, it is computed by ISO
-    15312, and if `contact` is None, from the moving contacts (`heat.conductances`)."""
-
-    shaft: float = 0.0
-    housing: float | None = None
-    contact: float | None = None
-
-
-@dataclass(frozen=True)
-class CirculatingOil:
-    """Oil that flows through a bearing with this `width` in m; `flow` is the volume flow at 40 C in
-    m^3/s, and `inlet` is the inlet temperature in degrees C."""
-
-    flow: float
-    inlet: float
-    width: float
-
-
-class Rest(NamedTuple):
-    """A bearing in equilibrium with its loads, and the films at its speed."""
-
-    state: Equilibrium
-    orbit: float | Floats  # rad/s, of the balls
-    films: Lubrication
-    fluid: Fluid
-
-
-class Scene:
-    """A bearing with its oil and load, for which friction is computed from temperature and
-    clearance."""
-
-    def __init__(
-        self,
-        bearing: Bearing,
-        boundary: makers.Boundary | None,
-        lubricant: Lubricant,
-        roughness: float,
-        load: float,
-        axial: float,
-        rpm: float,
-        density: float = 7800.0,
-        spin_law: str = "closed",
-        models: str = DEFAULT,
-        held: Mapping[str, float] = STRAIGHT,
-        size: makers.Size | None = None,
-        supply: Supply = BATH,
-        cage: cage_drag.CageRing | None = None,
-        oil_flow: CirculatingOil | None = None,
-    ) -> None:
-        """Store the arguments. `roughness` is the composite roughness in m, and `density` is the
-        density of the balls in kg/m^3; `spin_law`, `models` and `cage` are as in
-        `operating_point.figures`, `held` is as in `static.equilibrium`, and `size` and `supply` are
-        as in `friction_torque.surfaces`."""
-        self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
-        self.roughness, self.load, self.axial = roughness, load, axial
-        self.ring, self.density = rpm * math.pi / 30, density
-        self.spin_law, self.models, self.held = spin_law, models, held
-        self.size, self.supply, self.cage = size, supply, cage
-        self.oil_flow = oil_flow
-        self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
-        self.near: Equilibrium | None = None  # the last equilibrium, where the next search begins
-
-    def rest(self, temperature: float, clearance: float) -> Rest:
-        """Compute equilibrium and films for oil at a temperature in degrees C and a clearance in
-        m."""
-        fluid, ring = self.lubricant.at(temperature), self.ring
-        film = None if self.models == "paper" else FilmInGap(fluid, ring)
-        state, orbit = turning(
-            self.bearing,
-            ring,
-            self.load,
-            self.axial,
-            held=self.held,
-            clearance=clearance,
-            ball_density=self.density,
-            film=film,
-            near=self.near,
-        )
-        self.near = state
-        oil = inputs.Oil(
-            fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, self.roughness
-        )
-        films = lubricate(self.bearing, state, oil, ring, clearance, film and film.factor)
-        return Rest(state, orbit, films, fluid)
-
-    def at(self, temperature: float, clearance: float) -> dict[str, Any]:
-        """Return the results of the scene at a temperature in degrees C and a clearance in m.
-        `sides` is the power in W at the inner and the outer raceway, each including half of the
-        drag; `cage` is the power dissipated at the cage, `drag` the power dissipated by drag, and
-        `flow` the `heat.OilFlow`."""
-        return self.figures(self.rest(temperature, clearance), clearance)
-
-    def figures(self, rest: Rest, clearance: float) -> dict[str, Any]:
-        """Return the same results as `at` from a given `rest`."""
-        state, orbit, films, fluid = rest
-        ring = self.ring
-        losses = friction_torque.losses(
-            self.bearing,
-            state,
-            films,
-            fluid,
-            ring,
-            orbit,
-            clearance=clearance,
-            surfaces=friction_torque.surfaces(
-                self.bearing, self.size, fluid, ring, self.models, self.supply
-            ),
-            spin_law=self.spin_law,
-            ball_density=self.density,
-            cage=self.cage,
-        )
-        contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis
-        inner = self.bearing.raceways.count(INNER)
-        sides = np.array([contacts[:inner].sum(), contacts[inner:].sum()])
-        top = int(np.argmax(state.inner.load))
-        return {
-            "viscosity_Pa_s": float(fluid.viscosity),
-            "h_min_m": float(films.inner.h_min.flat[top]),
-            "h_c_m": float(films.inner.h_c.flat[top]),
-            "lambda": float(films.inner.ratio.flat[top]),
-            "friction_torque_N_m": self.share * losses.power / abs(ring),
-            "power_loss_W": self.share * losses.power,
-            "losses_W": {name: self.share * power for name, power in losses.parts.items()},
-            "sides": tuple((self.share * (sides + losses.drag.sum() / 2)).tolist()),
-            "cage": self.share * (losses.cage or 0.0),
-            "contacts": heat.conductances(state, films),
-            "drag": self.share * float(losses.drag.sum()),
-            "flow": self.flow(fluid, float(np.mean(orbit))),
-        }
-
-    def flow(self, fluid: Fluid, orbit: float) -> heat.OilFlow:
-        """Return the flow of oil for balls that orbit at a speed in rad/s."""
-        oil = self.oil_flow
-        if oil is None:
-            return heat.STILL
-        carries = oil.flow * self.lubricant.density * self.lubricant.heat_capacity
-        return heat.oil_flow(self.bearing, oil.width, fluid, carries, oil.inlet, orbit)
-
-
-def one_node(scene: Scene, conductance: float, ambient: float, clearance: float) -> dict[str, Any]:
-    """Return the steady-state results with a single temperature, for a `conductance` in W/K to
-    `ambient` in degrees C. Raises `NoEquilibrium` if the bearing heats beyond 200 C."""
-
-    def left(temperature):
-        found = scene.at(temperature, clearance)
-        return found["power_loss_W"] - _carried(found, [temperature] * 3).get("oil_carried_W", 0.0)
-
-    coldest = scene.oil_flow and scene.oil_flow.inlet
-    try:
-        temperature = heat.balance(left, conductance, ambient, tolerance=ENOUGH, coldest=coldest)
-    except ValueError as error:
-        raise NoEquilibrium(f"no steady temperature: {error}") from None
-    found = dict.fromkeys(
-        ("temperature_inner_C", "temperature_balls_C", "temperature_outer_C"), temperature
-    )
-    at = scene.at(temperature, clearance)
-    return dict(
-        at,
-        **found,
-        **_carried(at, [temperature] * 3),
-        temperature_C=temperature,
-        clearance_warm_m=clearance,
-    )
-
-
 def _settings(oil):
     """Return the results that describe the input `CirculatingOil`."""
     return {} if oil is None else {"oil_flow_m3_s": oil.flow, "oil_inlet_C": oil.inlet}
-
-
-def _carried(found, surfaces):
-    """Return the results for flowing oil if inner ring, balls and outer ring have the temperatures
-    `surfaces`."""
-    flow = found["flow"]
-    if not flow.flow:
-        return {}
-    outlet = heat.outlet(heat.network(contacts=(1.0, 1.0), oil=flow), surfaces, found["drag"])
-    return {"temperature_outlet_C": outlet, "oil_carried_W": flow.flow * (outlet - flow.inlet)}
-
-
-def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) -> dict[str, Any]:
-    """Return the steady-state results with separate temperatures for the `Nodes`; `clearance` is
-    the clearance of the bearing at `ambient`. Raises `NoEquilibrium` if no steady state is found up
-    to 200 C."""
-    warm, oil = clearance, ambient + 20.0
-    part = 0.6  # under-relaxation: friction decreases as the oil warms, so full steps overshoot
-    for _ in range(80):
-        found = scene.at(oil, warm)
-        flow = found["flow"]
-        drag = found["drag"] if flow.flow else 0.0
-        inner, outer = (side - drag / 2 for side in found["sides"])
-        of = vars(nodes) | {"contact": nodes.contact or found["contacts"]}
-        at = heat.three_nodes(
-            inner, outer, balls=found["cage"], ambient=ambient, oil=drag, flow=flow, **of
-        )
-        rises = (value - ambient for value in at)
-        target = clearance + float(heat.clearance_change(scene.bearing, *rises))
-        mean = sum(at) / 3
-        if abs(mean - oil) < ENOUGH and abs(target - warm) < 1e-9:
-            return dict(
-                found,
-                temperature_C=oil,
-                temperature_inner_C=at.inner,
-                temperature_balls_C=at.balls,
-                temperature_outer_C=at.outer,
-                **_carried(found, at),
-                clearance_warm_m=warm,
-            )
-        oil, warm = oil + part * (mean - oil), warm + part * (target - warm)
-        if oil > 200:
-            break
-    raise NoEquilibrium(f"no steady temperature up to 200 C: the oil is at {oil:.4g} C")
 
 
 @dataclass(frozen=True)
