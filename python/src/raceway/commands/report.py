@@ -49,7 +49,5 @@ def run(arguments: argparse.Namespace) -> None:
             arguments.complain(f"--bearing applies to a run, but {folder} contains a sweep")
         page = of_sweep.page(folder)
     else:
-        raise RacewayError(
-            f"{folder} contains neither a run (run.yaml) nor a sweep (*/point.yaml)"
-        )
+        raise RacewayError(f"{folder} contains neither a run (run.yaml) nor a sweep (*/point.yaml)")
     print(page.write(arguments.out or folder / "report.html"))
