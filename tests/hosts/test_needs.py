@@ -154,7 +154,7 @@ def test_mistakes(tmp_path, monkeypatch, capsys):
         (["--want", "torqu=1%"], "must be FIGURE=ERROR"),
         (["--want", "torque=0%"], "the error must be above 0 and at most 100%"),
         (["-var", "tolerance", "1e-8"], "-var tolerance is set by raceway needs; leave it out"),
-        (["-var", "without", "drag"], "-var without: set by raceway needs, leave it out"),
+        (["-var", "without", "drag"], "-var without is set by raceway needs; leave it out"),
         (["-var", "load", "5 6"], "must be one word or number"),
         (["--keep", "drags"], "--keep drags: unknown; known:"),
         (["--program", "nowhere/x"], "there is no program 'nowhere/x'"),

@@ -302,7 +302,7 @@ def test_table(folder, dry_folder):
         "Cost",
     ):
         assert re.search(f"^{topic}", text, re.MULTILINE)
-    assert re.search(r"radial load +5 kN  \(as set, else measured\)", text)
+    assert re.search(r"radial load +5 kN  \(as set, or measured\)", text)
     assert re.search(r"minimum film thickness +[0-9.]+ nm  \(eq 6\)", text)
     assert re.search(r"bearing +[0-9.]+ pF  \(mean, eq 12\)", text)
     text = table(summary(RunTables(dry_folder)))

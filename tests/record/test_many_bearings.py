@@ -82,7 +82,7 @@ def test_all_bearings_together_have_contacts(many):
 @pytest.mark.parametrize("text", COMMANDS)
 def test_commands_take_a_number(many, text, tmp_path, capsys):
     assert main([*command(text, many, tmp_path / "out"), "--bearing", "3"]) == 1
-    assert "has the bearings 1 to 2, not 3" in capsys.readouterr().err
+    assert "has bearings 1 to 2, but no bearing 3" in capsys.readouterr().err
     done = main([*command(text, many, tmp_path / "out"), "--bearing", "2"])
     said = capsys.readouterr().err
     assert done == 0 or "has 7 samples: a spectrum needs 32" in said

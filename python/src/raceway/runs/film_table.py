@@ -34,14 +34,14 @@ TOPICS = {
         Row("hertz_area_m2", "Hertz area, both raceways", None),
     ),
     "Breakdown": (
-        Row("threshold_V", "smallest voltage, smooth", "V", "least over the run"),
-        Row("threshold_mean_V", "the same, mean", "V"),
-        Row("threshold_peaks_V", "smallest voltage, rough", "V", "least; over h_c - 3 sigma"),
+        Row("threshold_V", "smallest voltage, smooth", "V", "minimum over the run"),
+        Row("threshold_mean_V", "smallest voltage, smooth, mean", "V"),
+        Row("threshold_peaks_V", "smallest voltage, rough", "V", "minimum; over h_c - 3 sigma"),
         Row("threshold_azimuth_deg", "at the ball at", "°", "from the load line"),
         Row("stored_energy_J", "energy of that discharge", "J", "smooth"),
         Row("field_V_m", "largest field, smooth", "V/m"),
         Row("field_peaks_V_m", "largest field, rough", "V/m"),
-        Row("metallic_share", "metallic contacts", "", "share; asperities carry 0.01"),
+        Row("metallic_share", "metallic contacts", "", "fraction; asperities carry 0.01"),
     ),
     "Impedance": (
         Row("leak_ohm", "leak", "Ω", "direct current, mean"),

@@ -78,8 +78,8 @@ class Record:
             bearing = self.bearings[0]
         if bearing is not None and bearing not in self.bearings:
             raise RunError(
-                f"{self.path} has the bearings {self.bearings[0]} to {self.bearings[-1]},"
-                f" not {bearing}"
+                f"{self.path} has bearings {self.bearings[0]} to {self.bearings[-1]}, but no"
+                f" bearing {bearing}"
             )
         self.bearing = bearing
         self._seat = [0.0, 0.0, 0.0] if bearing is None else self._seat_of_outer()

@@ -76,8 +76,8 @@ class Run:
         """Return the bearing `number` of the same run; raise `RunError` for an unknown number."""
         if number not in self.bearing_numbers:
             raise RunError(
-                f"{self.tables.folder} has the bearings {self.bearing_numbers[0]} to"
-                f" {self.bearing_numbers[-1]}, not {number}"
+                f"{self.tables.folder} has bearings {self.bearing_numbers[0]} to"
+                f" {self.bearing_numbers[-1]}, but no bearing {number}"
             )
         tables = self.tables
         return Run(tables.folder, slice(tables.first, tables.stop), number)

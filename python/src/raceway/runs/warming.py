@@ -21,7 +21,7 @@ FILE = "heat.txt"  # in the run's folder
 PARTS = ("inner", "balls", "outer", "housing", "oil")
 ROWS = (
     Row("thermal_time_s", "thermal time", "s", "covered in jumps"),
-    Row("thermal_speed", "thermal time over time of the run", ""),
+    Row("thermal_speed", "thermal time over simulated time", ""),
     Row("temperature_inner_C", "inner ring", "°C", "mean of the measured passes"),
     Row("temperature_balls_C", "balls", "°C"),
     Row("temperature_outer_C", "outer ring", "°C"),
@@ -29,7 +29,7 @@ ROWS = (
     Row("temperature_oil_C", "oil in the contacts", "°C"),
     Row("temperature_outlet_C", "oil at the outlet", "°C", "of the last jump"),
     Row("clearance_warm_m", "diametral clearance, warm", "m"),
-    Row("heat_gain", "gain of losses by temperature", "", "1: thermal runaway"),
+    Row("heat_gain", "gain of losses with temperature", "", "1: thermal runaway"),
     Row("heat_booked_J", "heat of the losses", "J", "over the thermal time"),
     Row("heat_carried_J", "carried to ambient and by flowing oil", "J"),
     Row("heat_stored_J", "stored in rings, balls, housing", "J"),
