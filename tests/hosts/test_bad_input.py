@@ -382,8 +382,8 @@ def test_lost_ball_is_named(tmp_path):
     outcome = liggghts(deck)
     assert outcome.code != 0
     assert re.search(
-        r"ball \d on (inner|outer) ring 1\d at step \d+: overlap \S+ m, force \S+ N, .* load too"
-        r" high",
+        r"ball \d on (inner|outer) ring 1\d at step \d+: overlap \S+ m, force \S+ N, .* load is"
+        r" too high",
         outcome.error,
     ), outcome.text[-1500:]
 
