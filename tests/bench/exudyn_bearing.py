@@ -7,11 +7,10 @@ SETTINGS is a JSON object with these keys: stiffness (N/m^exponent), exponent, d
 friction, zone (sliding speed in m/s at which friction is fully developed), load (N, towards -y),
 speed (rad/s), step, ramp, settle and window (all in s), sampling (period in s, a multiple of step),
 and folder, which is the folder for the sensor files, or "" to write no files if only the time
-matters.
-The program prints one line of JSON. It contains the wall seconds of the time loop, the simulated
-seconds and, for each sample of the window, the position of the ring (m), the positions of the balls
-(m) and their inner loads (N). If the solver stops, the line contains its error and the time (s)
-that it reached.
+matters. The program prints one line of JSON. It contains the wall seconds of the time loop, the
+simulated seconds and, for each sample of the window, the position of the ring (m), the positions of
+the balls (m) and their inner loads (N). If the solver stops, the line contains its error and the
+time (s) that it reached.
 """
 
 import json

@@ -278,8 +278,7 @@ def stopped(tmp_path_factory):
 
 
 def test_every_flipped_bit_of_a_restart_file_is_noticed(stopped, tmp_path):
-    """The host's restart format has no checksum, so 33 of 77 damaged files once went
-    undetected."""
+    """The host's restart format has no checksum, so 33 of 77 damaged files once went undetected."""
     out = tmp_path / "run"
     shutil.copytree(stopped, out)
     good = (out / "restart").read_bytes()

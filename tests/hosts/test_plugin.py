@@ -174,8 +174,7 @@ def test_entry_point():
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_started_by_the_other_mpirun(host, tmp_path):
-    """If the host did not stop, each process would have a separate world and run the whole
-    deck."""
+    """If the host did not stop, each process would have a separate world and run the whole deck."""
     done = subprocess.run(
         [
             VENV / "mpiexec",

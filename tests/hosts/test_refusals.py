@@ -78,8 +78,7 @@ def test_fixes_beside_the_implicit_step(tmp_path, host, words):
 
 @pytest.mark.parametrize("clearance, ends", [(4.5e-4, False), (8e-4, False), (1e-3, True)])
 def test_free_play_beyond_the_far_side_of_the_grooves(tmp_path, clearance, ends):
-    """A ball on the side opposite the load would have to overlap by 2 (r_c - R_b) =
-    5.04e-4 m."""
+    """A ball on the side opposite the load would have to overlap by 2 (r_c - R_b) = 5.04e-4 m."""
     end = run("inputs/in.6208", out=tmp_path / "run", clearance=clearance, passes=1, samples=20)
     assert (end.code != 0) == ("on the far side of the groove" in end.error) == ends, end.text
 
@@ -99,8 +98,8 @@ def test_cage_that_falls_inwards(tmp_path, mover, gap, weight, ends):
 
 @pytest.mark.parametrize("host", EVERYWHERE)
 def test_types_that_no_pair_coeff_names(tmp_path, host):
-    """There is a single warning for all atoms, even if a second run follows. Under
-    `fix bearing/implicit`, it is an error."""
+    """There is a single warning for all atoms, even if a second run follows. It is an error
+    under `fix bearing/implicit`."""
     grains = "".join(
         f"create_atoms {t} single 0 0 0.0{t} units box\nset type {t} diameter 1e-3 density 1000\n"
         for t in (2, 5)

@@ -255,8 +255,7 @@ def test_a_land_keeps_power_and_its_slopes_are_those_of_its_force(physics, guide
             for axis in range(2):
                 move = np.zeros(3)
                 move[axis] = step
-                # the ring does not spin here, so displacing it does not change any
-                # velocity
+                # the ring does not spin here, so displacing it does not change any velocity
                 still = s | dict(ring_w=np.zeros(3), w=s["w"] + s["ring_w"])
                 ends = [
                     physics.call("cage_land", still | {name: still[name] + sign * move}).force[:2]

@@ -54,8 +54,7 @@ def test_roots_against_high_precision(gap, law, speed, share, starvation):
 
 
 def test_digits_of_all_regimes(inner):
-    """At zero overlap and 9549 rpm, the load matches a reference value unless it is cut
-    off."""
+    """At zero overlap and 9549 rpm, the load matches a reference value unless it is cut off."""
     assert inner.cpp(0.0, 14.4946, regimes=True)[1].load == pytest.approx(81.56, abs=0.005)
 
 
