@@ -85,7 +85,7 @@ def measure(folder, task, middle):
     task."""
     code = (
         "import sys, time, warnings; warnings.simplefilter('ignore'); import raceway\n"
-        "raceway.open(sys.argv[1], slice(0, 1))  # loads all modules, and next to no data\n"
+        "raceway.open(sys.argv[1], slice(0, 1))  # loads all modules, but almost no data\n"
         "begun = time.perf_counter(); run = raceway.open(sys.argv[1])\n"
         + task.replace("MIDDLE", str(middle))
         + "\nprint(time.perf_counter() - begun, next(line.split()[1] for line in"
