@@ -217,7 +217,7 @@ def main():
         f" {own[2]:.2f} J/K.",
         f"Fitted: outer ring to housing {of['seat']:.3f} W/K, housing to ambient"
         f" {of['housing']:.3f} W/K, housing {of['capacity']:.0f} J/K. Largest deviation from the"
-        f" measurements of three runs between {FIRST:g} and {LAST:g} min: {worst:.2f} K.",
+        f" measurements in three runs between {FIRST:g} and {LAST:g} min: {worst:.2f} K.",
         "",
     ]
     for name, (minutes, seen) in measured().items():
@@ -236,8 +236,8 @@ def main():
     balance = float(last["booked"] - last["carried"] - last["stored"]) / float(last["booked"])
     outer = float(last["temperature_outer"])
     more = [
-        f"Cold start of {thermal:g} s in a run of {run:.3f} s (1/{thermal / run:.0f} of that time):"
-        f" outer ring {outer:.2f} C, with the losses of statics"
+        f"Cold start of {thermal:g} s, simulated in a run of {run:.3f} s"
+        f" (1/{thermal / run:.0f} of that time): outer ring {outer:.2f} C, with the losses of statics"
         f" {integrated(table, measured()['cold start'][1][0], [0, 10], **of)[-1, 2]:.2f} C,"
         f" measured {measured()['cold start'][1][1]:g} C; losses {float(last['power']):.2f} W;"
         f" heat balance {balance:.1e}.",
@@ -247,7 +247,7 @@ def main():
         abs(float(last[f"temperature_{p}"] - fine[f"temperature_{p}"]))
         for p in ("inner", "balls", "outer", "housing")
     )
-    more.append(f"With jumps of at most 0.25 K the final temperature differs by {change:.3f} K.")
+    more.append(f"With jumps of at most 0.25 K, the final temperature differs by {change:.3f} K.")
     print("\n".join(more))
     PAGE.parent.mkdir(parents=True, exist_ok=True)
     PAGE.write_text("\n".join([*lines, *more, ""]))

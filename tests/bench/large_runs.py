@@ -26,7 +26,7 @@ TASKS = {  # {name: statements with `run`, executed in a separate process}
     "load the package only": "",
     FIGURES: "run.summary()",
     "bearing totals, every sample": "run.bearing",
-    "regime shares around the ring": "from raceway.runs.regimes import shares; shares(run)",
+    "film regimes around the ring": "from raceway.runs.regimes import shares; shares(run)",
     "pressure and permittivity around the ring": (
         "from raceway.runs.electrical import by_raceway; by_raceway(run)"
     ),

@@ -159,9 +159,9 @@ template <class... P> using Slip = FullLaw<MixedFrictionPart, DifferentialSlipPa
 int main()
 {
   report<DryLaw<>>("Hertz, hysteretic damping", -1);
-  report<LubricatedLaw<>>("film thickness, film damper of eq 5", 0);
+  report<LubricatedLaw<>>("film thickness, film damper according to eq 5", 0);
   report<GapLaw<>>("film in the gap instead of Hertz alone", 1);
-  report<FullLaw<>>("film branch instead of eq 5", 2);
+  report<FullLaw<>>("film branch instead of the film damper", 2);
   report<FullLaw<ConstantFrictionPart, SmoothedFrictionPart>>("smoothed friction", 3);
   report<FullLaw<StribeckFrictionPart, SmoothedFrictionPart>>("Stribeck's coefficient", 4);
   report<FullLaw<MixedFrictionPart, SmoothedFrictionPart>>("mixed coefficient", 4);

@@ -329,7 +329,7 @@ def test_main_deck(name, tmp_path):
     variables, message = MAIN_DECK[name]
     outcome = liggghts("inputs/in.6208", **{"out": tmp_path / "run", **variables})
     wrong(outcome, message)
-    assert not list(tmp_path.rglob("*.dump")), "an output file was started"
+    assert not list(tmp_path.rglob("*.dump")), "an output file was created"
 
 
 @pytest.mark.parametrize("name", DECKS)

@@ -225,8 +225,8 @@ def one_ring(**words):
     ids=["implicit", "verlet"],
 )
 def test_a_value_of_its_own_is_the_number(move, step, tmp_path):
-    """Loads, speeds and positions from atom-style variables give bitwise the same results as plain
-    numbers."""
+    """The results for loads, speeds and positions from atom-style variables are bitwise identical
+    to those for plain numbers."""
     by = {
         "number": {"spin": 50, "tilt": 1e-4, "load": -2000, "moment": 50},
         "variable": {"spin": "v_spin", "tilt": "v_tilt", "load": "v_force", "moment": "v_spin"},

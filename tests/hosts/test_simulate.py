@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway.simulate` gives bitwise the same results, and the same errors, as running by hand the
-deck that it writes."""
+"""The results of `raceway.simulate` are bitwise identical to those of the deck that it writes when
+the deck is run by hand, and the errors are the same."""
 
 import os
 import pickle
@@ -39,8 +39,8 @@ def record(folder):
     "host, ranks", [("liggghts", 1), ("liggghts", 2), ("lammps", 1), ("wheel", 2)]
 )
 def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
-    """A call gives bitwise the same record as running the deck that it wrote, and as running the
-    main deck with -var, even from a folder without inputs."""
+    """The record of a call is bitwise identical to that of the deck that it wrote, run by hand, and
+    to that of the main deck run with -var, even from a folder without inputs."""
     monkeypatch.chdir(tmp_path)
     name = None if host == "wheel" else host
     if host == "wheel":  # as if raceway had no source tree
