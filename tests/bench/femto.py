@@ -237,7 +237,8 @@ def main():
     outer = float(last["temperature_outer"])
     more = [
         f"Cold start of {thermal:g} s, simulated in a run of {run:.3f} s"
-        f" (1/{thermal / run:.0f} of that time): outer ring {outer:.2f} C, with the losses of statics"
+        f" (1/{thermal / run:.0f} of that time): outer ring {outer:.2f} C,"
+        f" with the losses of statics"
         f" {integrated(table, measured()['cold start'][1][0], [0, 10], **of)[-1, 2]:.2f} C,"
         f" measured {measured()['cold start'][1][1]:g} C; losses {float(last['power']):.2f} W;"
         f" heat balance {balance:.1e}.",
