@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx extension that writes one page for each subpackage of the Python package, from docstrings.
+"""Sphinx extension that writes a page for each subpackage of the Python package from its
+docstrings.
 
-The pages are written into docs/api before the build; git ignores them.
+The pages are written to docs/api before the build and are ignored by git.
 """
 
 import inspect
@@ -22,7 +23,7 @@ ROOMS = {
     "electric": "Capacitance and circuits",
     "recordings": "Recordings of real bearings",
 }
-# aliases of the package, which Sphinx would write out in full; the longest alias first
+# aliases that Sphinx would otherwise write out in full; the longest alias comes first
 TYPES = {
     stringify_annotation(alias, mode): name
     for mode in ("smart", "fully-qualified")
@@ -41,7 +42,8 @@ def page(title, modules):
 
 
 def write(app):
-    """Write the pages whose text has changed; Sphinx would read unchanged pages again otherwise."""
+    """Write only those pages whose text has changed, because Sphinx reads every rewritten page
+    again."""
     FOLDER.mkdir(exist_ok=True)
     for room, title in ROOMS.items():
         modules = [
@@ -56,7 +58,7 @@ def write(app):
 
 
 def field_comment(full_name):
-    """Return the comment at the end of the line that declares a field of a class, or ""."""
+    """Return the comment at the end of the line that declares a field of a class, or "" if none."""
     module, owner, field = full_name.rsplit(".", 2)
     try:
         source = inspect.getsource(getattr(import_module(module), owner))
@@ -67,8 +69,8 @@ def field_comment(full_name):
 
 
 def docstring(app, what, name, thing, options, lines):
-    """Use comments of fields as their documentation, and treat bars as absolute values, not as
-    substitutions."""
+    """Use the comments of fields as their documentation, and treat bars as absolute values instead
+    of substitutions."""
     if what == "attribute":
         lines[:] = [field_comment(name)]
     lines[:] = [
@@ -78,7 +80,7 @@ def docstring(app, what, name, thing, options, lines):
 
 
 def signature(app, what, name, thing, options, arguments, result):
-    """Write types with the aliases that the package defines."""
+    """Write the types in a signature with the aliases that the package defines."""
     return short(arguments), short(result)
 
 

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx extension for tables that C++ exports: `.. columns:: SECTION` (output columns),
-`.. law-keywords:: dry|film` (keywords of the contact law), `.. law-parts::` (parts of the law),
-`.. validity::` (validity rules), `.. oil-constants::` (defaults of an oil's constants), and
-`.. deck-variables:: COMMAND` (deck variables of a command)."""
+"""Sphinx extension for tables that C++ exports: `.. columns:: SECTION` for output columns,
+`.. law-keywords:: dry|film` for keywords of the contact law, `.. law-parts::` for the parts of the
+law, `.. validity::` for validity rules, `.. oil-constants::` for the default constants of oils, and
+`.. deck-variables:: COMMAND` for the deck variables of a command."""
 
 from docutils.statemachine import StringList
 from raceway import core
 from sphinx.util.docutils import SphinxDirective
 
-COLUMNS = core.PATH  # the library with the tables
+COLUMNS = core.PATH  # the library that contains the tables
 NEEDS = {
     "film": "*bearing/ehd* only",
     "capacitance": "needs :doc:`fix_bearing_capacitance`",
@@ -17,7 +17,7 @@ NEEDS = {
 
 
 def rows(section: str, numbered: bool) -> list[tuple[str, str]]:
-    """Return [(name, meaning with unit and needs), ...] for the columns of a section; if
+    """Return a list of (name, meaning with unit and prerequisites) for the columns of a section; if
     `numbered`, each name is preceded by its number."""
     found = []
     for number, column in enumerate(core.table("columns")[section], 1):
@@ -30,7 +30,8 @@ def rows(section: str, numbered: bool) -> list[tuple[str, str]]:
 
 
 class ColumnTable(SphinxDirective):
-    """Table of columns. With the option `numbered`, each name is preceded by its vector index."""
+    """Table of columns. With the option `numbered`, each name is preceded by its index in the
+    vector."""
 
     required_arguments = 1
     option_spec = {"numbered": lambda argument: True}
@@ -43,7 +44,7 @@ class ColumnTable(SphinxDirective):
 
 
 def range_of(parameter: dict) -> str:
-    """Return the range of a number as "> 0", "0 or more" or "0 to 2"; empty for a word."""
+    """Return the range of a number as "> 0", "0 or more" or "0 to 2", or "" for a word."""
     if parameter["choices"]:
         return ""
     if parameter["most"] is not None:
@@ -52,7 +53,7 @@ def range_of(parameter: dict) -> str:
 
 
 def keyword_rows(film: bool) -> list[tuple[str, str, str]]:
-    """Return [(keyword and values, meaning with range, default), ...] for the contact law."""
+    """Return a list of (keyword and values, meaning with range, default) for the contact law."""
     found, seen = [], set()
     for part in core.table("columns")["law"]:
         for keyword in part["keywords"]:
@@ -78,7 +79,7 @@ def keyword_rows(film: bool) -> list[tuple[str, str, str]]:
 
 
 def part_rows() -> list[tuple[str, ...]]:
-    """Return [(part, condition for the part, keywords, number of states, columns), ...]."""
+    """Return a list of (part, condition for the part, keywords, number of states, columns)."""
     return [
         (
             f"*{part['name']}*",
@@ -92,7 +93,7 @@ def part_rows() -> list[tuple[str, ...]]:
 
 
 def table(widths: str, heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
-    """Return the lines of a list-table."""
+    """Return the lines of a list-table directive."""
     lines = [".. list-table::", "   :header-rows: 1", f"   :widths: {widths}", ""]
     for row in [heads, *rows]:
         lines += [f"   {'*' if n == 0 else ' '} - {cell}".rstrip() for n, cell in enumerate(row)]
@@ -100,8 +101,8 @@ def table(widths: str, heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> l
 
 
 class KeywordTable(SphinxDirective):
-    """Keywords of the contact law: those of every pair style (dry), or those that need a lubricant
-    (film)."""
+    """Keywords of the contact law: those that every pair style accepts (dry), or those that require
+    a lubricant (film)."""
 
     required_arguments = 1
 
@@ -141,7 +142,7 @@ class ValidityTable(SphinxDirective):
 
 
 class OilTable(SphinxDirective):
-    """Constants of oils with their defaults and effects."""
+    """Constants of oils, with their defaults and effects."""
 
     def run(self):
         self.env.note_dependency(str(COLUMNS))
@@ -156,7 +157,7 @@ class OilTable(SphinxDirective):
 
 
 class DeckVariables(SphinxDirective):
-    """Deck variables that set keywords of one command."""
+    """Deck variables that set the keywords of one command."""
 
     required_arguments = 1
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx configuration. `make docs` writes build/docs; a warning is an error."""
+"""Sphinx configuration. `make docs` writes build/docs, and treats warnings as errors."""
 
 import sys
 from pathlib import Path
@@ -30,7 +30,7 @@ html_theme_options = {
     "fixed_sidebar": True,
 }
 html_show_sourcelink = False
-# docstrings put names in single backticks
+# names in docstrings are in single backticks
 default_role = "code"
 autodoc_typehints = "signature"
 autodoc_default_options = {"exclude-members": "__init__"}

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Draw random lines of pages, comments and messages, to be judged by a reader.
+"""Draw random lines from pages, comments and messages, to be judged by a reader.
 
-``python docs/random_lines.py --seed 1 --lines 40`` prints them with file and line number.
-``docs/notes/language.rst`` contains the verdicts.
+``python docs/random_lines.py --seed 1 --lines 40`` prints the lines with file and line number. The
+verdicts are in ``docs/notes/language.rst``.
 """
 
 import argparse
@@ -12,14 +12,14 @@ import subprocess
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-WORDS = 5  # shorter lines are titles, ends of sentences and names
+WORDS = 5  # lines with fewer words are titles, names and ends of sentences
 COMMENT = re.compile(r"(?:^|\s)(?://+|#)\s(.+)")
 QUOTES = re.compile(r'^r?"""|"""$')
 MESSAGE = re.compile(r'"([^"\n]*\s[^"\n]*\s[^"\n]*)"')
 
 
 def prose(text):
-    """Yield (line number, text) for the lines of a page outside literal blocks and directives."""
+    """Yield (line number, text) for the lines of a page, except literal blocks and directives."""
     literal = None
     for number, line in enumerate(text.splitlines(), 1):
         indent = len(line) - len(line.lstrip())
@@ -46,7 +46,7 @@ def code(text):
 
 
 def lines():
-    """Yield (location, text) for all lines with at least ``WORDS`` words."""
+    """Yield (location, text) for all lines that have at least ``WORDS`` words."""
     names = subprocess.run(
         ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True
     ).stdout.splitlines()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx extension for `.. rooms::`, which lists the folders of src-package with contents, files
-and floors, and the longest chain of includes, from the current sources (tests/include_graph.py)."""
+"""Sphinx extension for `.. rooms::`, which lists the folders of src-package with their contents,
+numbers of files and floors, and the longest chain of includes. The numbers are determined from the
+current sources (tests/include_graph.py)."""
 
 import sys
 from pathlib import Path
@@ -11,7 +12,7 @@ from sphinx.util.docutils import SphinxDirective
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests"))
-import include_graph  # noqa: E402  it belongs to the tests, not to a package
+import include_graph  # noqa: E402  this module belongs to the tests, not to a package
 
 
 class RoomTable(SphinxDirective):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx extension for `.. paper-statements::`, which lists the statements of the paper with their
-verdicts, from the table that `raceway paper` uses."""
+"""Sphinx extension for `.. paper-statements::`, which lists the statements in the paper and the
+verdicts on them, from the table that `raceway paper` uses."""
 
 import re
 from collections import Counter
@@ -23,7 +23,7 @@ HEADS = (
 
 
 def reason(text):
-    """Return the sentences of a reason that do not contain a result of a run."""
+    """Return those sentences of a reason that do not contain a result of a run."""
     return " ".join(one for one in re.split(r"(?<=[.;]) ", text) if "{" not in one)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Provide films with given properties for the tests of the circuit."""
+"""Provide films with given properties to the tests of the electric circuit."""
 
 import numpy as np
 from raceway.electric.breakdown import Breakdown
@@ -11,8 +11,8 @@ PICO = 1e-12
 
 
 def films(capacitance, time=None, thickness=200e-9, conductance=0.0, roughness=0.0):
-    """Return `Films` with the given `capacitance` (n, 2, Z) in F, `thickness` (m) and `conductance`
-    (S)."""
+    """Return `Films` with the given `capacitance` (n, 2, Z) in F, `thickness` in m and
+    `conductance` in S."""
     capacitance = np.asarray(capacitance, dtype=float)
     n, _, z = capacitance.shape
     azimuth = np.linspace(0, 0.5, n)[:, None] + 2 * np.pi * np.arange(z) / z
@@ -31,13 +31,13 @@ def films(capacitance, time=None, thickness=200e-9, conductance=0.0, roughness=0
 
 
 def steady(inner, outer, n=3, **more):
-    """Return films at `n` points with constant capacitances (Z,) in F."""
+    """Return films with constant capacitances (Z,) in F at `n` points in time."""
     return films(np.tile([inner, outer], (n, 1, 1)), **more)
 
 
 def turning(n=201, z=7, thickness=(80e-9, 140e-9), seed=3, **more):
-    """Return films of balls that pass through a load zone, with different and varying capacitances
-    and thicknesses."""
+    """Return films of balls that pass through a load zone; their capacitances and thicknesses vary
+    and differ from each other."""
     rng = np.random.default_rng(seed)
     angle = 2 * np.pi * (np.arange(z) / z + np.linspace(0, 1.3, n)[:, None])[:, None]
     least = rng.uniform(5, 15, (1, 2, z)) * PICO

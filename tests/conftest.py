@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Distribute the tests among processes file by file, because the tests in a file share runs. The
-examples on the pages are distributed one by one."""
+"""Distribute the tests among processes by file, because the tests in a file share runs. The
+examples on the documentation pages are distributed one by one."""
 
 from xdist.scheduler import LoadFileScheduling
 

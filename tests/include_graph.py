@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Check the include graph of src-package: its rooms, the includes between rooms, and their floors.
+"""Check the include graph of src-package: its rooms, the includes between them, and their floors.
 
     python3 tests/include_graph.py [ROOT]
 
-prints the graph of the tree at ROOT (default: this one). The exit code is 1 if a rule is broken: if
-a file includes a file from a room above its own, if there is a cycle of files or of modules, if a
-room has more than `MOST_FLOORS` floors, or if a chain has more than `LONGEST` files.
+prints the graph of the tree at ROOT (default: this tree). The exit code is 1 if a rule is broken,
+i.e. if a file includes a file from a room above its own, if there is a cycle of files or of
+modules, if a room has more than `MOST_FLOORS` floors, or if a chain has more than `LONGEST` files.
 
 A room is a folder of src-package. The number of floors of a room is the number of files in the
-longest include chain within the room. A module is a header with its sources and its private
-headers. The table in docs/design.rst is generated from this file (docs/room_table.py).
+longest chain of includes within the room. A module is a header with its sources and its private
+headers. docs/room_table.py uses this file to generate the table in docs/design.rst.
 """
 
 import re
@@ -17,7 +17,7 @@ import sys
 from pathlib import Path
 
 # The rooms and their contents, from the bottom up. A file may include files of its own room and of
-# the rooms below it. No room in core/ may include a header of a host or of MPI.
+# lower rooms. No room in core/ may include a header of a host or of MPI.
 ROOMS = {
     "core/numbers": "four numbers at a time, dual numbers, vectors, exponential, logarithm, tables",
     "core/laws": "formulas for plain numbers: Hertz, film, damping, friction, rolling, drag, oil",
@@ -45,8 +45,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 
 def read(package):
-    """Return {file: files of the package that it includes}, relative to `package`. Headers of the
-    host are left out."""
+    """Return a dict that maps each file to the files of the package that it includes, relative to
+    `package`. Headers of the host are left out."""
     package = Path(package).resolve()
     files = {p for p in package.rglob("*") if p.suffix in (".h", ".cpp")}
     graph = {}
@@ -56,7 +56,7 @@ def read(package):
             for folder in (
                 file.parent,
                 package / "compat",
-            ):  # the folders in which the compiler searches
+            ):  # the folders that the compiler searches
                 target = (folder / name).resolve()
                 if target in files:
                     targets.add(target.relative_to(package))
@@ -66,12 +66,12 @@ def read(package):
 
 
 def room(file):
-    """Return the room of a file, i.e. its folder."""
+    """Return the room of a file, i.e. the folder that contains it."""
     return file.parent.as_posix() if file.parts[0] == "core" else file.parts[0]
 
 
 def arrows(graph):
-    """Return {(room, other room): [(file, included file), ...]}."""
+    """Return a dict that maps (room, other room) to a list of (file, included file)."""
     found = {}
     for file, targets in graph.items():
         for target in sorted(targets):
@@ -81,8 +81,8 @@ def arrows(graph):
 
 
 def longest_chain(graph):
-    """Return the longest chain of includes as a list of files, and one cycle as a list of files
-    (empty if there is no cycle)."""
+    """Return the longest chain of includes and one cycle of includes, each as a list of files. The
+    latter is empty if there is no cycle."""
     best, cycle = {}, []
 
     def chain(file, above):
@@ -99,11 +99,11 @@ def longest_chain(graph):
 
 
 def modules(graph):
-    """Return {file: name of its module}.
+    """Return a dict that maps each file to the name of its module.
 
-    A source belongs to the header with the same name; otherwise, it belongs to the header with the
-    longest name that the source's name extends after an underscore. A header is private to the
-    module that includes it if no file outside this module includes it.
+    A source belongs to the header with the same name. If there is none, it belongs to the header
+    with the longest name that, followed by an underscore, begins the name of the source. A header
+    is private to the module that includes it if no file outside this module includes it.
     """
     headers = {f.with_suffix("") for f in graph if f.suffix == ".h"}
 
@@ -124,7 +124,7 @@ def modules(graph):
 
 
 def module_graph(graph):
-    """Return {module: modules that its files include}."""
+    """Return a dict that maps each module to the modules that its files include."""
     of, found = modules(graph), {}
     for file, targets in graph.items():
         found.setdefault(of[file], set()).update({of[t] for t in targets} - {of[file]})
@@ -132,13 +132,13 @@ def module_graph(graph):
 
 
 def floors(graph, name):
-    """Return the longest chain of includes among the files of a room."""
+    """Return the longest chain of includes within a room."""
     inside = {f: ts for f, ts in graph.items() if room(f) == name}
     return longest_chain({f: {t for t in ts if t in inside} for f, ts in inside.items()})[0]
 
 
 def broken(graph):
-    """Return a list with one sentence for each violation of the rules."""
+    """Return a list that contains one sentence for each violation of the rules."""
     order = list(ROOMS)
     wrong = [f"{name} is not a room" for name in sorted({room(f) for f in graph} - set(order))]
     if wrong:
@@ -166,7 +166,7 @@ def broken(graph):
 
 
 def table(graph):
-    """Return (room, files, floors, contents) for each room, from the bottom up."""
+    """Return a list of (room, files, floors, contents), from the bottom up."""
     return [
         (name, sum(room(f) == name for f in graph), len(floors(graph, name)), holds)
         for name, holds in ROOMS.items()
@@ -174,7 +174,7 @@ def table(graph):
 
 
 def main(root):
-    """Print rooms, arrows, floors and violations; return the number of broken rules."""
+    """Print rooms, arrows, floors and violations, and return the number of violations."""
     graph = read(Path(root) / "src-package")
     print("rooms (files, floors):")
     for name, files, height, holds in table(graph):

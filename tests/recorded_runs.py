@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Provide decks that write a record, for use in tests."""
+"""Provide decks that write a record to the tests."""
 
 from host import ROOT
 
@@ -8,8 +8,8 @@ MAIN = {"deck": "inputs/in.6208", "samples": 40, "passes": 1, "record": "all", "
 
 
 def small(folder, options="", more="", deck=SMALL):
-    """Write `deck` with an added fix that records to `folder / run` to a file in `folder`, and
-    return the path of this file."""
+    """Add a fix that records to `folder / run` to `deck`, write the result to a file in `folder`,
+    and return the path of this file."""
     line = f"fix rec all bearing/record 100 {folder / 'run'} {options}\n{more}"
     text = deck.replace("compute total", line + "compute total")
     path = folder / "in.recorded"

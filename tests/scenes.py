@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run short versions of decks in docs/decks and of the main deck: scenes that every reader of
+"""Run short versions of the main deck and of decks in docs/decks, i.e. scenes that every reader of
 records must handle."""
 
 from host import ROOT, succeed
@@ -18,11 +18,11 @@ RING = {"cage": "ring", "models": "full", "record": "all"}
 
 
 def _turning(inner, outer):
-    """Return the changes to in.spall that set other ring speeds, in rad/s."""
+    """Return changes to the text of in.spall that set other ring speeds, in rad/s."""
     return [(old, new.format(inner, outer) if "{0}" in new else new) for old, new in TURNING]
 
 
-SCENES = {  # deck: changes to its text
+SCENES = {  # deck, and changes to its text or its variables
     "radial": ("in.6208", {"passes": 3, "samples": 60, "load": 3000, "record": "all"}),
     "combined": ("in.combined", [("run 2000", "run 600")]),
     "whirl": ("in.unbalance", [("run 2000", "run 500")]),
@@ -38,7 +38,8 @@ SCENES = {  # deck: changes to its text
 
 
 def run(name, folder):
-    """Run the scene `name` in `folder` once, and return the folder."""
+    """Run the scene `name` in `folder`, unless this has already been done, and return the
+    folder."""
     deck, changes = SCENES[name]
     if isinstance(changes, dict):
         succeed(f"inputs/{deck}", out=folder, **changes)
@@ -50,7 +51,7 @@ def run(name, folder):
 
 
 def changed(deck, changes):
-    """Return the text of a deck in docs/decks with all changes (old, new)."""
+    """Return the text of a deck in docs/decks after all changes (old, new) have been made."""
     text = (ROOT / "docs" / "decks" / deck).read_text()
     for old, new in changes:
         assert old in text, (deck, old)

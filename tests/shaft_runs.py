@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Run `in.shaft`, a shaft on two 6208s, and provide the functions that its tests share.
 
-The shaft lies along z, with bearings at 0 and 0.2 m. The columns of a run's `data` describe the
-shaft (x, rx ...) and its rings (x1, f2y ...).
+The shaft lies along z, with bearings at 0 and 0.2 m. The `data` of a run have columns for the shaft
+(x, rx, ...) and for its rings (x1, f2y, ...).
 """
 
 import re
@@ -24,7 +24,7 @@ def data_of(folder):
 
 
 def swing(folder, **variables):
-    """Run the deck and return (columns by name, energies in J by name)."""
+    """Run the deck, and return the columns keyed by name and the energies in J keyed by name."""
     text = succeed(DECK, out=folder, **variables).text
     names = ("work", "dissipated", "stored", "lost")
     numbers = numbers_of(text, "ENERGY") if "\nENERGY " in text else [np.nan] * 4
@@ -32,20 +32,20 @@ def swing(folder, **variables):
 
 
 def numbers_of(text, word="END"):
-    """Return the numbers that a run prints after the word `word`."""
+    """Return the numbers that a run prints after `word`."""
     return [float(one) for one in re.search(rf"^{word} (.*)$", text, re.M)[1].split()]
 
 
 def rows_of(folder):
-    """Return the lines of the table that a run wrote."""
+    """Return the lines of the table that a run has written."""
     return (folder / "shaft.dat").read_text().splitlines()
 
 
 def frequencies_of(signals, step, count):
     """Return the frequencies in Hz, in ascending order, of `count` free vibrations in `signals`
-    (channels, samples). They are computed from a linear map from each instant to the next, which is
-    fitted to delayed copies of the signals. A real vibration has two frequencies, one of them
-    negative. For x + i y, negative frequencies are those of backward whirl."""
+    (channels, samples). A linear map from each instant to the next, fitted to delayed copies of the
+    signals, determines the frequencies. A real vibration has two frequencies, one of which is
+    negative. For x + i y, the negative frequencies are those of backward whirl."""
     copies, length = 12, signals.shape[1]
     signals = signals - signals.mean(axis=1, keepdims=True)
     delayed = np.vstack([signals[:, k : length - copies + k] for k in range(copies)])
@@ -56,20 +56,20 @@ def frequencies_of(signals, step, count):
 
 def rings_follow(folder):
     """Check that the accelerations of the inner rings in a record are derivatives of their
-    velocities, and return columns of both rings (samples, 2) by name."""
+    velocities, and return the columns (samples, 2) for both rings, keyed by name."""
     with xarray.open_dataset(folder / "record.nc") as record:
         inner = record["ring_raceway"].values == 0
         names = ("x", "y", "tilt_2", "vx", "ax")
         ring = {name: record[f"ring_{name}"].values[:, inner] for name in names}
         time = record["time"].values
     slope = (ring["vx"][2:] - ring["vx"][:-2]) / (time[2:] - time[:-2])[:, None]
-    # velocities are linear within an internal step, and each sample has its own internal step
+    # velocities are linear within an internal step, and every sample has a separate internal step
     apart = np.median(np.abs(ring["ax"][1:-1] - slope), axis=0)
     assert slope.shape[1] == 2 and np.all(apart < 2e-2 * np.abs(slope).max(axis=0))
     return ring
 
 
-# variables for comparing ranks and hosts; all parts move
+# variables for comparing ranks and hosts, in which all parts move
 BITS = dict(
     cage=1,
     speed=200,
@@ -80,7 +80,7 @@ BITS = dict(
     skin=4e-4,
     control="tolerance 1e-8",
 )
-# variables for runs with an energy balance
+# variables for runs that output an energy balance
 ENERGY = dict(
     control="tolerance 1e-10 largest 2e-6 energy yes",
     clearance=1e-5,
@@ -94,7 +94,7 @@ WITHIN = dict(
 )
 
 
-# a box with two bearings along x, and no fix that moves them
+# a box with two bearings whose axes are along x, without a fix that moves them
 SMALL = """
 units si
 atom_style sphere

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Transform the record of a run into the record of the same scene with another pose in the lab."""
+"""Transform the record of a run into a record of the same scene in a different orientation in the
+lab frame."""
 
 import re
 import shutil
@@ -18,7 +19,8 @@ VECTORS = [
 
 
 def own_frame(pose):
-    """Return the `Pose` in the bearing's frame, whose axis is z, for a `Pose` in the lab."""
+    """Return the `Pose` in the frame of the bearing, whose axis is z, for a `Pose` in the lab
+    frame."""
     return Pose(tuple((lab - pose.axis - 1) % 3 for lab in pose.axes), pose.signs)
 
 
@@ -28,11 +30,11 @@ def wrapped(angle):
 
 
 def write(source, folder, pose):
-    """Write the run in `source`, whose axis is z, to `folder` in the given `Pose`, without
+    """Write the run in `source`, whose axis is z, to `folder` in the orientation `pose`, without
     checksums."""
     folder.mkdir(parents=True)
     text = (source / "run.yaml").read_text()
-    text = re.sub("load_azimuth_rad: .*\n", "", text)  # the record contains the azimuth
+    text = re.sub("load_azimuth_rad: .*\n", "", text)  # the azimuth is stored in the record
     (folder / "run.yaml").write_text(text.replace("axis: z", f"axis: {'xyz'[pose.axis]}"))
     for name in ("restart", "restart.deck"):
         if (source / name).exists():
@@ -80,7 +82,7 @@ def _turned(old, pose):
     for name in ABOUT_AXIS & set(old.variables):
         values[name] = pose.sense * old[name][...]
     inside = own_frame(pose)
-    for k in (0, 1):  # tilts about the two axes that follow the bearing's axis
+    for k in (0, 1):  # the tilts are about the two axes that follow the bearing's axis
         own = inside.axes.index(k)
         values[f"ring_tilt_{k + 1}"] = (
             inside.hand * inside.signs[own] * old[f"ring_tilt_{own + 1}"][...]

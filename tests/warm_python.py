@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run `raceway` and Python blocks in forks of a process that has already imported numpy, scipy,
-pandas, xarray and matplotlib. A fresh Python needs one to two seconds for these imports, longer
-than most examples take."""
+"""Run `raceway` commands and Python blocks in forks of a process that has already imported numpy,
+scipy, pandas, xarray and matplotlib. A new Python process needs one to two seconds for these
+imports, which is longer than most examples take."""
 
 import multiprocessing
 import os
@@ -17,14 +17,14 @@ PRELOAD = (
     *("raceway.cli", "scipy.io", "scipy.optimize", "scipy.signal", "scipy.special", "scipy.stats"),
     *("pandas", "xarray", "matplotlib.pyplot"),
 )
-# commands that need a shell, and commands that change the shell for later commands
+# commands that need a shell, and those that change the shell for subsequent commands
 SHELL = re.compile(r"[|&;<>$*?`()#\\]|^(cd|export) ", re.MULTILINE)
 CONTEXT = multiprocessing.get_context("forkserver")
 CONTEXT.set_forkserver_preload(list(PRELOAD))
 
 
 def split(commands: str) -> list[str]:
-    """Return a list of single commands, or of the whole text if it needs a shell."""
+    """Return a list of single commands, or of the whole text if it requires a shell."""
     if SHELL.search(commands):
         return [commands]
     return [line for line in commands.splitlines() if line.strip()]
@@ -38,8 +38,8 @@ def words(command: str) -> list[str] | None:
 
 
 def run(task: str | list[str], folder: Path, environment: dict[str, str]) -> tuple[int, str]:
-    """Run a Python block (a string) or the words of a `raceway` command (a list) in `folder`, and
-    return (exit code, output)."""
+    """Run a Python block (given as a string) or the words of a `raceway` command (given as a list)
+    in `folder`, and return (exit code, output)."""
     with tempfile.NamedTemporaryFile("r", errors="replace") as output:
         child = CONTEXT.Process(target=_child, args=(task, folder, environment, output.name))
         child.start()

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare the cost of a step between this tree and another revision or tree.
+"""Compare the cost of a step in this tree with that in another revision or another tree.
 
     python3 tests/bench/against.py REVISION|FOLDER [--rounds 9] [--out PAGE]
 
 REVISION is a git revision, which is built in a temporary worktree; FOLDER is the root of a tree
 that has already been built. Each tree runs its own decks with its own program. The two trees take
-turns to go first, and ratios are formed within a round. The cost is the user processor time of the
-steps, i.e. the time of a run minus the time of a run with a tenth of the steps. If the kernel
-counts instructions (`perf stat`), the ratio of instructions is given as well; it does not depend on
-the load of the machine.
+turns at going first, and ratios are formed within each round. The cost is the user processor time
+of the steps, i.e. the time of a run minus the time of a run with a tenth of the steps. If the
+kernel counts instructions (`perf stat`), the ratio of the instruction counts is given, too; it does
+not depend on the load of the machine.
 
-The page lists the median and the range of the ratios for each scene.
+For each scene, the page lists the median and the range of the ratios.
 """
 
 import argparse
@@ -52,7 +52,7 @@ def parsed(arguments):
 
 @contextlib.contextmanager
 def built(other):
-    """Yield the root of the tree that is compared with this tree."""
+    """Yield the root of the tree with which this tree is compared."""
     if Path(other).is_dir():
         yield Path(other).resolve()
         return
@@ -83,12 +83,12 @@ def counts():
 
 
 def spent(tree, deck, variables, steps, instructions):
-    """Run a deck from this folder, and return (seconds, instructions or None)."""
+    """Run a deck of this folder, and return (seconds, instructions or None)."""
     return program(tree, f"tests/bench/{deck}", {**variables, "steps": steps}, instructions)
 
 
 def program(tree, deck, variables, instructions):
-    """Run the LIGGGHTS of a tree in that tree, and return (user seconds, instructions or None)."""
+    """Run the LIGGGHTS of a tree inside that tree; return (user seconds, instructions or None)."""
     words = [str(tree / "build/liggghts"), "-in", str(deck), "-log", "none"]
     for name, value in variables.items():
         words += ["-var", name, str(value)]
@@ -114,7 +114,7 @@ def cost(tree, scene, instructions):
 
 
 def ratios(other, rounds, instructions):
-    """Return {scene: ([ratio of seconds, ...], [ratio of instructions, ...])} over the rounds."""
+    """Return a dict that maps each scene to ([ratios of seconds], [ratios of instructions])."""
     found = {scene[0]: ([], []) for scene in SCENES}
     for n in range(rounds):
         for scene in SCENES:
@@ -135,8 +135,8 @@ def spread(values):
 def page(name, found, rounds):
     here = git("rev-parse", "--short", "HEAD")
     lines = [
-        f"Cost of a step with {here} divided by that with {name}, {date.today()}; {rounds} rounds.",
-        "Median (range) of the ratios within a round; above 1, this tree is slower.",
+        f"Cost of a step in {here} divided by that in {name}, {date.today()}; {rounds} rounds.",
+        "Median (range) of the ratios within a round; if above 1, this tree is slower.",
         "",
         f"{'scene':44} {'user seconds':28} instructions",
     ]

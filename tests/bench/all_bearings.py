@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run the main deck for every bearing in inputs/bearings that has ratings, under a radial load of
-0.1 C0 and, if the balls have a contact angle, an equal axial load, and compare the largest ball
-load with statics.
+"""Run the main deck for every bearing in inputs/bearings that has load ratings, under a radial load
+of 0.1 C0 and, if the balls have a contact angle, an equal axial load. Compare the largest ball load
+with the result of statics.
 
     .venv/bin/python tests/bench/all_bearings.py [NAME ...]
 
-This takes a few minutes. The exit code is 1 if a bearing fails or deviates by more than `WITHIN`.
+This takes a few minutes. The exit code is 1 if a run fails or deviates by more than `WITHIN`.
 """
 
 import subprocess

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure the CPU seconds of `make TARGET` in clean clones of this commit and of another commit.
+"""Measure the CPU seconds of `make TARGET` in clean clones of this commit and another commit.
 
     .venv/bin/python tests/bench/build_time.py REV [--targets run,build] [--rounds 3]
 
-Every measurement uses a clean clone without a compiler cache. The two revisions alternate, so that
-a drift of the machine affects both. Run `make test` first, which installs the missing Debian
-packages and fills pip's cache. The script also counts the objects that are rebuilt when one part of
-the contact law changes. Uncommitted changes are not measured.
+Every measurement uses a clean clone and no compiler cache. The two revisions alternate, so that a
+drift in the speed of the machine affects both. Run `make test` first: it installs missing Debian
+packages and fills pip's cache. The script also counts the objects that are rebuilt after a change
+to one part of the contact law. Uncommitted changes are not included.
 """
 
 import argparse
@@ -24,8 +24,8 @@ PART = "core/parts/part_drag.h"
 
 
 def environment():
-    """Return the environment of this process without the compiler cache and the virtual
-    environment."""
+    """Return the environment of this process without the settings of the compiler cache and the
+    virtual environment."""
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("CCACHE", "MAKE", "VIRTUAL"))}
     paths = [p for p in kept["PATH"].split(os.pathsep) if "ccache" not in p and ".venv" not in p]
     return {**kept, "CCACHE_DISABLE": "1", "PATH": os.pathsep.join(paths)}
@@ -56,7 +56,7 @@ def build(revision, target, folder):
 
 
 def made_again(folder):
-    """Return the number of objects in a built clone that are rebuilt after an edit of `PART`."""
+    """Return how many objects in a built clone are rebuilt after `PART` has been edited."""
     seen = (folder / "build").rglob("*.d")
     return sum(PART in path.read_text() for path in seen)
 

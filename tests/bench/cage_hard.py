@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Run a one-piece cage with both integrators under conditions in which cages fail, and write the
-largest and mean pocket force, the cage speed and the torque to build/bench/cage_hard.rst.
+largest and mean pocket forces, the cage speed and the torque to build/bench/cage_hard.rst.
 
     .venv/bin/python tests/bench/cage_hard.py [--print] [--slow] [--only WORD]
 
-A 6208 runs under gravity in four directions, in housings with natural frequencies of 20 to 300 Hz,
-in a run-up, in a reversal and under a shock of 20 kN. A 7208B runs under moments. `--slow` adds a
-speed of 1 rad/s. The bench stops if a ball leaves its pocket or if a step is too large for velocity
-Verlet. The exit code is 1 if the means of the two integrators differ both by more than 2 % and by
-more than three standard errors.
+A 6208 runs under gravity in four directions, in housings with natural frequencies from 20 to 300
+Hz, in a run-up, in a reversal, and under a shock of 20 kN. A 7208B runs under moments. `--slow`
+adds runs at 1 rad/s. The bench stops if a ball leaves its pocket or if a step is too large for
+velocity Verlet. The exit code is 1 if the means for the two integrators differ both by more than 2
+% and by more than three standard errors.
 """
 
 import os
@@ -30,11 +30,11 @@ TARGET = bench_file("cage_hard.rst")
 DECK = "tests/scenarios/in.cage_ring"
 ORBIT = (1 - 6.3e-3 / ((24.0e-3 + 36.605e-3) / 2)) / 2  # cage speed divided by shaft speed
 WORDS = dict(words="friction 0.1 wall 1e6 planar yes")
-SAMPLES, PARTS = 6000, 12  # per run; the means of its parts give the standard error
-# s, steps of velocity Verlet; the friction of slow or heavily loaded balls is stiffer
+SAMPLES, PARTS = 6000, 12  # per run; the means of the parts of a run give the standard error
+# s, steps of velocity Verlet; friction is stiffer for slow or heavily loaded balls
 VERLET, FINE, FINEST = 4e-7, 1e-7, 3e-8
 REVERSAL = "reversal, 300 to -300 rad/s"
-# velocity Verlet would take hours because of the friction near standstill
+# runs that would take hours with velocity Verlet because of friction near standstill
 ALONE = (REVERSAL, "1 rad/s")
 DOWN = dict(weight=9.81, fall="0 -1 0")
 
@@ -68,8 +68,8 @@ def cases(slow):
 
 
 def scene(folder, case, integrator):
-    """Return (largest pocket force, [(mean, standard error), ...]) for the sum of the pocket
-    forces, the cage speed and the torque."""
+    """Return the largest pocket force, followed by a list of (mean, standard error) for the sum of
+    the pocket forces, the cage speed and the torque."""
     name, span, step, verlet, own = case
     dt = verlet if integrator == "verlet" else step
     sample = max(1, round(span / dt / SAMPLES))
@@ -89,7 +89,8 @@ def scene(folder, case, integrator):
 
 
 def moments(folder, integrator):
-    """Return what `scene` returns, for a 7208B under 3.5 and 5 kN, 25 and 15 N m at 1500 rpm."""
+    """Return the same results as `scene` for a 7208B at 1500 rpm under forces of 3.5 and 5 kN and
+    moments of 25 and 15 N m."""
     out = folder / f"7208B.{integrator}"
     loads = dict(load=3500, axial=5000, moment_x=25, moment_y=15, rpm=1500)
     own = dict(bearing="7208B", cage="ring", models="full", settle=2, passes=4)
@@ -127,7 +128,7 @@ def main(argv):
             body.append(cells)
             print(*cells, sep="; ", flush=True)
     head = ["scene", "largest pocket force, N", "all pockets, N", "cage, rad/s", "torque, N m"]
-    text = ["Results of the implicit integrator, and their difference from velocity Verlet", ""]
+    text = ["Results with the implicit integrator, and their difference from velocity Verlet", ""]
     text += csv_table(head, body)
     if "--print" not in argv:
         TARGET.write_text("\n".join(text))

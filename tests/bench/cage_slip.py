@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare the slip of a cage ring with that of measured bearings, and write
+"""Compare the simulated slip of a cage ring with the slip measured in two bearings, and write
 build/bench/cage_slip.rst.
 
     .venv/bin/python tests/bench/cage_slip.py [--print]
 
 The measured slip of MFPT's bearing (NICE, 8 balls) follows from the ball pass frequency of its
-outer race, and the slip of Paderborn's 6203 from medians of lines in envelope spectra. Clearance,
-conformity, oil, pocket play, cage guidance and the direction of the load relative to gravity were
-not published for either bearing, so each column assumes a certain play and position of the cage.
-The exit code is 0 only if three conditions hold: the slip of the centred cage falls by at least 0.2
-% from 111 to 1334 N; it is within 0.2 % of MFPT's slip up to 890 N; and the order of the cage does
-not change in a bearing in which all balls are loaded.
+outer race, and the slip of Paderborn's 6203 from median line frequencies in envelope spectra.
+Clearance, conformity, oil, pocket play, cage guidance and the direction of the load relative to
+gravity were not published for either bearing, so each column assumes some play and position of the
+cage. The exit code is 0 only if three conditions are met: the slip of the centred cage falls by at
+least 0.2 % from 111 to 1334 N; it is within 0.2 % of MFPT's slip up to 890 N; and the order of the
+cage does not change in a bearing in which all balls are loaded.
 """
 
 import itertools
@@ -30,7 +30,7 @@ from raceway.runs.run import Run  # noqa: E402
 TARGET = bench_file("cage_slip.rst")
 DECK = ROOT / "inputs" / "in.6208"
 WEIGHT = "fix weight all gravity 9.81 vector 0 ${down} 0\n"
-# ratio of play to ball diameter, guidance of the cage, sign of the weight along y
+# ratio of play to ball diameter, what guides the cage, sign of the weight along y
 HELD = "held in the middle"
 COLUMNS = {
     "0.02 D, held": (0.02, HELD, 0),
@@ -39,18 +39,19 @@ COLUMNS = {
     "0.02 D, on balls, weight along the load": (0.02, "balls", -1),
     "0.02 D, on balls, weight against it": (0.02, "balls", 1),
 }
-# number of balls, ball and pitch diameter (m), inner and outer conformity, diametral clearance (m)
+# number of balls, ball and pitch diameters (m), inner and outer conformity, diametral clearance (m)
 MFPT = (8, 5.969e-3, 31.62e-3, 0.515, 0.53, 15e-6)
 SKF_6203 = (8, 6.75e-3, 28.5e-3, 0.52, 0.53, 5e-6)
 SKF_6205 = (9, 7.94e-3, 39.04e-3, 0.515, 0.53, 8e-6)
-# {load in N: slip in %} of the measured outer-race series
+# {load in N: slip in %} for the measured series with outer-race faults
 MEASURED = {111: 0.60, 222: 0.48, 445: 0.45, 667: 0.46, 890: 0.28, 1112: 0.05, 1334: -0.22}
 PADERBORN = {400: 0.16, 1000: 0.05}
 PASSES = 48  # six turns of the cage
 
 
 def bearing(folder, balls, ball, pitch, inner, outer):
-    """Write the data file of the 6208 with some values replaced by these, and return its path."""
+    """Write the data file of the 6208 with these values in place of its own, and return its
+    path."""
     own = dict(
         balls=balls,
         ball_diameter=ball,
@@ -72,7 +73,7 @@ def bearing(folder, balls, ball, pitch, inner, outer):
 
 
 def deck(folder):
-    """Write the main deck with gravity added, and return its path."""
+    """Write the main deck with gravity added to it, and return the path."""
     file = folder / "in.weight"
     text = DECK.read_text().replace("fix move all", WEIGHT + "fix move all")
     file.write_text("variable down index 0\n" + text)
@@ -80,8 +81,8 @@ def deck(folder):
 
 
 def run(folder, data, out, *, down=0, **variables):
-    """Return the results of a run in `folder`/`out`, where `down` is the sign of the weight along
-    y."""
+    """Run the deck in `folder`/`out`, where `down` is the sign of the weight along y, and return
+    the results."""
     *size, clearance = data
     settings = dict(
         bearing=bearing(folder, *size),
@@ -101,9 +102,9 @@ def run(folder, data, out, *, down=0, **variables):
 
 
 def slip(folder, data, load, rpm, number, share, place, down):
-    """Return the slip of the cage in %."""
+    """Return the cage slip in %."""
     words = {}
-    if place == HELD:  # the cage is centred by a land without a film
+    if place == HELD:  # a land without a film centres the cage
         land = data[2] / 2 + 0.28 * data[1]
         words = dict(cage_guide="outer", cage_clearance=5e-6, cage_width=1e-3, cage_land=land)
         words["cage_without"] = "land"
@@ -147,7 +148,7 @@ def main(argv):
             one = run(folder, SKF_6205, f"t{rpm}{axial}{load}", load=load, axial=axial, rpm=rpm)
             order.setdefault((axial, load), []).append(one["cage_slip"])
         change = {key: abs(a - b) for key, (a, b) in order.items()}
-        text += ["Slip of a 6205 under thrust, and its change from 1797 to 1730 rpm", ""]
+        text += ["Cage slip of a 6205 under thrust, and its change from 1797 to 1730 rpm", ""]
         text += csv_table(
             ["thrust, N", "radial load, N", "slip, 1", "change, 1"],
             [[f"{k[0]}", f"{k[1]}", f"{order[k][0]:.5f}", f"{v:.1e}"] for k, v in change.items()],

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Compare the closed-form expression for the total capacitance of a contact with numerical
-integrals for various sizes, conformities, loads and films at both raceways, and write
+integrals at both raceways, for various ball sizes, conformities, loads and films, and write
 build/bench/capacitance_error.rst.
 
     .venv/bin/python tests/bench/capacitance_error.py [--print]     --print: do not write the page
@@ -20,7 +20,7 @@ PATH = bench_file("capacitance_error.rst")
 SIZES = {"12.6 mm": 60.6e-3, "7.938 mm": 39.04e-3, "3.968 mm": 15e-3}  # {ball: pitch diameter (m)}
 CONFORMITIES = (0.505, 0.51, 0.52, 0.53, 0.54)
 SEPARATIONS = np.geomspace(20e-9, 2e-6, 7)  # m
-LOADS = (0.1, 1.0, 10.0, 100.0, 300.0, 1000.0, 2000.0, 3000.0)  # N; without load the gap is rigid
+LOADS = (0.1, 1.0, 10.0, 100.0, 300.0, 1000.0, 2000.0, 3000.0)  # N; at zero load, the gap is rigid
 PLAYS = np.array([5e-6, 10e-6, 20e-6])  # m
 PERMITTIVITY = 2.2
 PROMISE = 0.015
@@ -30,19 +30,19 @@ Error of the closed-form capacitance
 
 Written by ``tests/bench/capacitance_error.py`` (``make bench``).
 
-:doc:`../electric` gives a closed-form expression for the capacitance of a contact with its
-surroundings. Here it is compared with numerical integrals. The error refers to the total of plates
-and surroundings. The oil has a relative permittivity of {permittivity} at ambient pressure. Each
-row covers {count} points: loads of {loads} N at seven film thicknesses from 20 nm to 2 µm. Without
-load the gap is rigid, and the same separations are used.
+:doc:`../electric` gives a closed-form expression for the capacitance of a contact and its
+surroundings. Here it is compared with numerical integrals. The error refers to the sum of the
+capacitances of plates and surroundings. The oil has a relative permittivity of {permittivity} at
+ambient pressure. Each row covers {count} points: loads of {loads} N at seven film thicknesses from
+20 nm to 2 µm. At zero load, the gap is rigid and has the same separations.
 
 * *arc*: the reference is the integral over a circular groove with a depth of {depth:g} ball
   diameters.
 * *parabola*: the reference is the integral that the closed-form expression approximates, over a
   parabola of the same half-width.
-* *rigid*: the gap without load is compared with the arc.
-* *play*: the gap without load, with a play of 5, 10 and 20 µm, is compared with the arc.
-* *left out*: loads for which the contact reaches the shoulder and is no longer an ellipse
+* *rigid*: the gap at zero load is compared with the arc.
+* *play*: the gap at zero load, with a play of 5, 10 and 20 µm, is compared with the arc.
+* *left out*: loads at which the contact reaches the shoulder and is no longer an ellipse
   (:doc:`../scope`).
 
 The largest error in the first three columns is {worst:.2f} %; the stated limit is {promise:.1f} %.
@@ -72,13 +72,13 @@ ROW = """\
 
 
 class Errors(NamedTuple):
-    """The largest relative errors in a row of the table."""
+    """The largest relative errors for one row of the table."""
 
     arc: float
     parabola: float
     rigid: float
     play: float
-    left: tuple[float, ...]  # N, loads that were left out
+    left: tuple[float, ...]  # N, loads that are excluded
 
     @property
     def inside(self) -> float:
@@ -87,7 +87,7 @@ class Errors(NamedTuple):
 
 
 def bearing(size: str, conformity: float) -> Bearing:
-    """Return a bearing with one of the ball sizes that are listed on the page."""
+    """Return a bearing with one of the ball sizes listed on the page."""
     ball, pitch = 1e-3 * float(size.split()[0]), SIZES[size]
     groove = conformity * ball
     return Bearing(9, ball, (pitch - ball) / 2, (pitch + ball) / 2, groove, groove)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Predict the lines of nine set-ups of the motor bearing of Case Western Reserve University
-(cwru/lines.csv). For each set-up and one thrust, the script finds the clearance that explains the
-line measured at the first speed, and predicts the lines at the other speeds with this clearance. It
-also runs the main deck with this clearance at the first speed, and finds the clearances for other
-values of the thrust. It writes build/bench/cwru.rst and docs/images/cwru.png.
+"""Predict the lines measured in nine setups of the motor bearing of Case Western Reserve University
+(cwru/lines.csv). For each setup and one value of the thrust, the script finds the clearance that
+explains the line measured at the first speed, and predicts the lines at the other speeds with this
+clearance. It also runs the main deck with this clearance at the first speed, and finds the
+clearances for other values of the thrust. It writes build/bench/cwru.rst and docs/images/cwru.png.
 
     .venv/bin/python tests/bench/cwru.py [--no-runs]
 """
@@ -32,11 +32,11 @@ PAGE, PICTURE = ROOT / "build/bench/cwru.rst", ROOT / "docs/images/cwru.png"
 THRUST, LOAD, OIL, TEMPERATURE = 30.0, 10.0, "vg68", 40.0  # N, N, -, C; unknown for this motor
 THRUSTS = np.array([20.0, 25.0, 30.0, 40.0, 50.0])
 CLEARANCES = -5e-6, 20e-6  # m, range of the clearance
-WITHIN = 2e-4  # relative error of the orders
+WITHIN = 2e-4  # relative standard deviation of the orders
 
 
 class Setup(NamedTuple):
-    """One set-up of the bearing, a row of the table."""
+    """One setup of the bearing, i.e. one row of the table."""
 
     name: str
     line: str  # BPFI or BPFO
@@ -53,7 +53,7 @@ def setups():
 
 
 def readings(setup, speeds, unknown, axial=THRUST):
-    """Return the `Readings` for a set-up at some of its speeds."""
+    """Return the `Readings` for a setup at some of its speeds."""
     known = dict(clearance=0.0, load=LOAD, axial=axial, temperature=TEMPERATURE)
     for name in unknown:
         del known[name]
@@ -63,19 +63,20 @@ def readings(setup, speeds, unknown, axial=THRUST):
 
 
 def clearance(setup, axial=THRUST):
-    """Return (clearance (`identify.Value`), state) found from the first speed alone."""
+    """Return (clearance (`identify.Value`), state), determined from the first speed alone."""
     first = next(iter(setup.orders))
     found = identify.identify(readings(setup, [first], {"clearance": CLEARANCES}, axial))
     return found.values["clearance"], found.state
 
 
 def predicted(setup, state):
-    """Return the orders of the line at all speeds of the set-up for a given `state`."""
+    """Return the order of the line at each speed of the setup for a given `state`."""
     return np.array([one.value for one in Model(readings(setup, setup.orders, {})).predict(state)])
 
 
 def of_a_run(setup, play, folder):
-    """Return the order of the line for the cage speed of a run at the first speed."""
+    """Return the order of the line that corresponds to the cage speed of a run at the first
+    speed."""
     words = dict(
         bearing="6205", lubricant=OIL, models="full", rpm=next(iter(setup.orders)), load=LOAD,
         axial=THRUST, clearance=play, passes=10, settle=20, record="summary", out=folder,

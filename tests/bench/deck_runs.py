@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run decks in the same way as a user, and read their cost from the output folders."""
+"""Run decks as a user would, and read the cost of a run from its output folder."""
 
 import subprocess
 import sys
@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def run_deck(deck, **variables):
-    """Run a deck with these `-var` settings and return its output; exit if the deck fails."""
+    """Run a deck with these `-var` settings and return its output; exit if the run fails."""
     words = [ROOT / "build" / "liggghts", "-in", deck, "-log", "none"]
     for name, value in variables.items():
         words += ["-var", name, str(value)]

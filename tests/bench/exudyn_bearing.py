@@ -4,13 +4,13 @@
     python exudyn_bearing.py SETTINGS
 
 SETTINGS is a JSON object with these keys: stiffness (N/m^exponent), exponent, damping (N s/m),
-friction, zone (m/s, sliding speed at which friction is fully developed), load (N, towards -y),
-speed (rad/s), step, ramp, settle and window (s), sampling period (s, a multiple of step), and
-folder, which is the folder for the sensor files, or "" to write no files if only the time matters.
-The program prints one line of JSON. It contains the wall seconds of the time loop, the simulated
-seconds and, for each sample of the window, the position of the ring (m), the positions of the balls
-(m) and their inner loads (N). If the solver stops, the line contains its error and the time (s)
-that was reached.
+friction, zone (sliding speed in m/s at which friction is fully developed), load (N, towards -y),
+speed (rad/s), step, ramp, settle and window (all in s), sampling (period in s, a multiple of step),
+and folder, which is the folder for the sensor files, or "" to write no files if only the time
+matters. The program prints one line of JSON. It contains the wall seconds of the time loop, the
+simulated seconds and, for each sample of the window, the position of the ring (m), the positions of
+the balls (m) and their inner loads (N). If the solver stops, the line contains its error and the
+time (s) that it reached.
 """
 
 import json
@@ -28,8 +28,8 @@ RING_MASS, RING_INERTIA = 0.2, (6.5e-5, 6.5e-5, 1.2e-4)  # kg, kg m^2
 
 
 def model(case):
-    """Return (system, inner contacts, bodies of balls and inner ring). The outer ring is fixed; the
-    inner ring is driven and free to move in its plane."""
+    """Return (system, inner contacts, bodies of the balls and the inner ring). The outer ring is
+    fixed; the inner ring is driven and free to move in its plane."""
     system = exu.SystemContainer().AddSystem()
     pitch = (INNER + OUTER) / 2
     data = GetBallBearingData(
@@ -64,7 +64,7 @@ def model(case):
         cageInitialAngularVelocity=[0, 0, orbit],
         ballsInitialAngularVelocity=[0, 0, orbit * (1 - OUTER / BALL)],
         springStiffnessCage=1e5,
-        springDampingCage=1e2,  # as in Exudyn's test model; zero would omit the cage
+        springDampingCage=1e2,  # as in Exudyn's test model; with zero, there would be no cage
         contactParametersRingBalls={
             "contactStiffness": case["stiffness"],
             "contactDamping": case["damping"],
@@ -81,7 +81,7 @@ def model(case):
 
 
 def sensors(system, contacts, bodies, folder):
-    """Return (contact force files, body position files), which are empty if there is no folder."""
+    """Return (contact force files, body position files); both are empty if no folder is given."""
     kinds, files = exu.OutputVariableType, ([], [])
     if not folder:
         return files
@@ -99,12 +99,12 @@ def sensors(system, contacts, bodies, folder):
 
 
 def table(file):
-    """Return the rows (time, x, y, z) that a sensor has written."""
+    """Return the rows (time, x, y, z) written by a sensor."""
     return np.loadtxt(file, delimiter=",", comments="#")
 
 
 def run(case):
-    """Return the result described in the docstring of the module as a dict."""
+    """Return the results described in the docstring of the module as a dict."""
     system, contacts, bodies = model(case)
     forces, places = sensors(system, contacts, bodies, case["folder"])
     system.Assemble()
@@ -115,7 +115,7 @@ def run(case):
     settings.timeIntegration.endTime = end
     settings.timeIntegration.numberOfSteps = round(end / case["step"])
     settings.timeIntegration.newton.absoluteTolerance = (
-        1e-8  # these settings and the solver are taken from Exudyn's bearing test model
+        1e-8  # these settings and the solver are those of Exudyn's bearing test model
     )
     settings.timeIntegration.newton.relativeTolerance = 1e-6
     settings.timeIntegration.newton.useModifiedNewton = True
@@ -145,6 +145,6 @@ def run(case):
 
 
 if __name__ == "__main__":
-    # Exudyn's own examples still use old names of settings
+    # Exudyn's own examples still use deprecated names of settings
     warnings.simplefilter("ignore", DeprecationWarning)
     print(json.dumps(run(json.loads(sys.argv[1]))))

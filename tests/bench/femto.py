@@ -4,9 +4,9 @@ script fits three parameters of the housing to three measured runs, compares tim
 integration, and simulates the first ten minutes after a cold start with the main deck. It writes
 build/bench/femto.rst.
 
-Losses and contact conductances are computed by statics with the models `full`; the heat capacities
-of rings and balls follow from their dimensions. In the warm runs, the housing starts at ambient
-temperature: the data suggest that the recording began with a warm bearing.
+Statics with the models `full` provides the losses and the contact conductances; the heat capacities
+of the rings and balls follow from their dimensions. In the warm runs, the housing starts at ambient
+temperature, because the data suggest that the recordings began with a warm bearing.
 """
 
 import csv
@@ -41,8 +41,8 @@ class Losses(NamedTuple):
     contacts: np.ndarray  # (N, 2)
 
     def at(self, oil):
-        """Return ([inner, outer] in W, [inner, outer] in W/K) for an oil temperature of `oil`
-        degrees C."""
+        """Return ([inner, outer] losses in W, [inner, outer] conductances in W/K) for an oil
+        temperature of `oil` degrees C."""
         return tuple(
             [float(np.interp(oil, OILS, column)) for column in table.T]
             for table in (self.sides, self.contacts)
@@ -50,7 +50,7 @@ class Losses(NamedTuple):
 
 
 def measured():
-    """Return {run: (minutes, temperatures in C)} as measured."""
+    """Return a dict that maps each measured run to (minutes, temperatures in C)."""
     lines = (HERE / "measured.csv").read_text().splitlines()
     rows = list(csv.reader(line for line in lines if not line.startswith("#")))
     minutes = np.array(rows[0][1:], float)
@@ -98,8 +98,8 @@ def network(contacts, seat, housing, capacity):
 
 
 def integrated(table, start, minutes, seat, housing, capacity):
-    """Return the temperatures (M, 4) in C of inner ring, balls, outer ring and housing by
-    integration."""
+    """Integrate the heat balance, and return the temperatures in C, shape (M, 4), of the inner
+    ring, the balls, the outer ring and the housing."""
     own = np.array([*capacities(), capacity])
 
     def rate(_, t):
@@ -120,8 +120,8 @@ def integrated(table, start, minutes, seat, housing, capacity):
 
 
 def jumps(table, start, until, change, housing_of):
-    """Advance with time jumps, and return (times in s, temperatures (N, 4) in C, number of
-    simulated ball passes)."""
+    """Advance the temperatures with time jumps, and return (times in s, temperatures (N, 4) in C,
+    number of simulated ball passes)."""
     control = dict(
         change=change, error=0.5, until=until, steady=0.05, hottest=200.0, share=0.2, both_ends=1.0
     )
@@ -143,8 +143,8 @@ def jumps(table, start, until, change, housing_of):
 
 
 def fit(table):
-    """Return the fitted parameters of the housing, and the largest deviation (K) from three
-    runs."""
+    """Return the fitted parameters of the housing, and the largest deviation (K) from the three
+    measured runs."""
     runs = measured()
 
     def missing(logs):
@@ -166,7 +166,7 @@ def fit(table):
 
 
 def error_of_jumps(table, of, change):
-    """Return (largest error in K during four hours after a cold start, number of ball passes)."""
+    """Return (largest error in K within four hours of a cold start, number of ball passes)."""
     start = measured()["cold start"][1][0]
     rows, passes = jumps(table, start, 60 * LAST, change, of)
     keep = np.flatnonzero(np.diff(rows[:, 0], prepend=-1.0))
@@ -194,7 +194,7 @@ def cold_start(of, folder, until=600.0, change=2.0):
 
 
 def picture(table, of):
-    """Plot the measured and the fitted temperature next to the outer ring."""
+    """Plot the measured and the fitted temperatures next to the outer ring."""
     figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
     minutes = np.linspace(0, LAST, 200)
     for k, (name, (read, seen)) in enumerate(measured().items()):
@@ -217,7 +217,7 @@ def main():
         f" {own[2]:.2f} J/K.",
         f"Fitted: outer ring to housing {of['seat']:.3f} W/K, housing to ambient"
         f" {of['housing']:.3f} W/K, housing {of['capacity']:.0f} J/K. Largest deviation from the"
-        f" measurements of three runs between {FIRST:g} and {LAST:g} min: {worst:.2f} K.",
+        f" measurements in three runs between {FIRST:g} and {LAST:g} min: {worst:.2f} K.",
         "",
     ]
     for name, (minutes, seen) in measured().items():
@@ -236,8 +236,9 @@ def main():
     balance = float(last["booked"] - last["carried"] - last["stored"]) / float(last["booked"])
     outer = float(last["temperature_outer"])
     more = [
-        f"Cold start of {thermal:g} s in a run of {run:.3f} s (1/{thermal / run:.0f} of that time):"
-        f" outer ring {outer:.2f} C, with the losses of statics"
+        f"Cold start of {thermal:g} s, simulated in a run of {run:.3f} s"
+        f" (1/{thermal / run:.0f} of that time): outer ring {outer:.2f} C,"
+        f" with the losses of statics"
         f" {integrated(table, measured()['cold start'][1][0], [0, 10], **of)[-1, 2]:.2f} C,"
         f" measured {measured()['cold start'][1][1]:g} C; losses {float(last['power']):.2f} W;"
         f" heat balance {balance:.1e}.",
@@ -247,7 +248,7 @@ def main():
         abs(float(last[f"temperature_{p}"] - fine[f"temperature_{p}"]))
         for p in ("inner", "balls", "outer", "housing")
     )
-    more.append(f"With jumps of at most 0.25 K the final temperature differs by {change:.3f} K.")
+    more.append(f"With jumps of at most 0.25 K, the final temperature differs by {change:.3f} K.")
     print("\n".join(more))
     PAGE.parent.mkdir(parents=True, exist_ok=True)
     PAGE.write_text("\n".join([*lines, *more, ""]))

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure the cost of a record for a single bearing and for fleets, and write
+"""Measure the cost of recording a single bearing and fleets of bearings, and write
 build/bench/fleet_record.rst.
 
     .venv/bin/python tests/bench/fleet_record.py [rounds]
 
-Runs of in.many with a record of all contacts at several instants of every host step alternate with
-the same runs without output; the page lists the ratios of their costs. The cost of a run refers to
-its last 90 %, because the cost of a run with a tenth of the steps is subtracted. The script opens
-each record to check that it contains the requested number of samples, and checks that the run
-without output wrote no record.
+Runs of in.many that record all contacts at several instants of every host step alternate with the
+same runs without output; the page lists the cost ratios. The cost of a run refers to its last 90 %,
+because the cost of a run with a tenth of the steps is subtracted. The script opens each record to
+check that it contains the expected number of samples, and checks that runs without output do not
+write a record.
 """
 
 import sys
@@ -21,7 +21,7 @@ import raceway
 from machine import bench_file, csv_table, machine
 
 WITHIN = 5  # samples per host step
-STEP = 8.75e-4  # s; 200 samples per ball pass, as in the main deck
+STEP = 8.75e-4  # s; at this step, there are 200 samples per ball pass, as in the main deck
 STEPS = {1: 4000, 100: 80, 1000: 20}  # {number of bearings: host steps}
 MODELS = ("paper", "full")
 PAGE = bench_file("fleet_record.rst")
@@ -58,14 +58,14 @@ def run(folder, bearings, models, steps, recorded, instructions):
         sys.exit(f"{out}: a record {'is missing' if recorded else 'was written'}")
     if recorded:
         found = raceway.open(out).select(1).bearing.sizes["time"]
-        if found != WITHIN * steps + 1:  # there is one more sample at the start
+        if found != WITHIN * steps + 1:  # the initial state is an additional sample
             sys.exit(f"{out} has {found} samples, not {WITHIN * steps + 1}")
     return cost
 
 
 def ratios(folder, bearings, models, rounds, instructions):
-    """Return ([ratios of seconds], [ratios of instructions]), which compare the cost of runs with a
-    record to that of runs without one."""
+    """Return ([ratios of seconds], [ratios of instructions]), i.e. the costs of runs with a record
+    divided by those of runs without one."""
     found = ([], [])
     steps = STEPS[bearings]
     for n in range(rounds):

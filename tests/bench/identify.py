@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Count how often the 95 % intervals of `identify` contain the true values, for runs whose
+"""Count how often the 95 % intervals from `identify` contain the true values, for runs whose
 clearance, loads and oil temperature are hidden from it. Write build/bench/identify.rst.
 
-The input of `identify` is one of two sets of readings, each with a normally distributed random
+The input of `identify` is one of two sets of readings, each reading with a normally distributed
 error: cage speed and capacitance at three operating points, or four lines at one point. In every
-second state of the latter, the load and the oil temperature are given too. `identify.py N` runs N
+second state of the latter, the load and the oil temperature are given, too. `identify.py N` runs N
 states for each set (default: 30).
 """
 
@@ -28,15 +28,15 @@ RANGES = {
     "load": (5.0, 300.0),
     "temperature": (25.0, 90.0),
 }
-# standard deviations of the cage line (absolute), of capacitance and of other lines (relative)
+# standard deviations: of the cage line (absolute), and of capacitance and other lines (relative)
 ORDER, CAPACITANCE, LINE = 1e-4, 0.01, 2e-4
-WANTED = 0.9  # smallest fraction of true values inside their intervals
+WANTED = 0.9  # required fraction of the true values that lie inside their intervals
 LUBRICANT = "vg100"
 
 
 def drawn(random, least):
-    """Draw a state in which all balls are loaded; `least` is the smallest ratio of radial load to
-    thrust."""
+    """Draw a state in which all balls are loaded; `least` is the lower limit of the ratio of radial
+    load to thrust."""
     axial = float(np.exp(random.uniform(np.log(60), np.log(350))))
     return {
         "clearance": random.uniform(1e-6, 14e-6),
@@ -47,7 +47,7 @@ def drawn(random, least):
 
 
 def run(state, point, folder):
-    """Run the main deck at an operating point."""
+    """Run the main deck for a state at an operating point."""
     words = dict(
         state,
         axial=state["axial"] + point.axial_more,
@@ -69,7 +69,8 @@ def run(state, point, folder):
 
 
 def capacitances(number, folder):
-    """Return (true state, `identify.Found`), found from cage speed and capacitance at `POINTS`."""
+    """Return (true state, `identify.Found`), where the latter is determined from cage speed and
+    capacitance at `POINTS`."""
     random = np.random.default_rng(number)
     state, rows = drawn(random, 0.25), []
     for point in POINTS:
@@ -85,7 +86,8 @@ def capacitances(number, folder):
 
 
 def lines(number, folder):
-    """Return (true state with its contact angle, `identify.Found`), found from four lines."""
+    """Return (true state including its contact angle, `identify.Found`), where the latter is
+    determined from four lines."""
     random = np.random.default_rng(1000 + number)
     state, speed = drawn(random, 0.1), POINTS[0].rpm / 60
     of = run(state, POINTS[0], folder)
@@ -104,7 +106,7 @@ def lines(number, folder):
 
 
 def inside(state, found):
-    """Return {quantity: whether its true value lies within its interval}."""
+    """Return a dict that states for each quantity whether its true value is within its interval."""
     result = {name: one.low <= state[name] <= one.high for name, one in found.values.items()}
     if "angle" in state:
         result["angle"] = found.angle.low <= state["angle"] <= found.angle.high

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure the cost of a step of fix bearing/implicit by feature, by part and by number of balls,
-and write build/bench/implicit_cost.rst.
+"""Measure the cost of a step of fix bearing/implicit as a function of the features used and the
+number of balls, and the cost of each part of a step. Write build/bench/implicit_cost.rst.
 
-Every round runs all scenes; ratios and differences are formed within a round. The page lists
-medians and ranges over the rounds. If Debian's linux-perf is installed, the cost of the parts of a
-step is measured with `perf record`.
+Every round runs all scenes; ratios and differences are formed within each round. The page lists
+their medians and ranges. If Debian's linux-perf is installed, `perf record` measures the cost of
+the parts of a step.
 """
 
 import re
@@ -25,7 +25,7 @@ ROUNDS = 5
 BALLS = 9
 STEPS = 20_000
 PLAIN = "tolerance 1e-7 order"
-SCENES = [  # name, variables of in.implicit_cost, index of the scene it is compared with (or None)
+SCENES = [  # name, variables of in.implicit_cost, index of the scene to compare with (or None)
     (
         "dry: 9 balls, two raceways, friction, free ring; order 1",
         dict(lubricant="dry", cage="no", control=f"{PLAIN} 1"),
@@ -53,10 +53,10 @@ SCENES = [  # name, variables of in.implicit_cost, index of the scene it is comp
     ("five free degrees of freedom instead of two", dict(control=f"{PLAIN} 1", tilts=1), 2),
     ("energy account", dict(control=f"{PLAIN} 1 energy yes"), 2),
 ]
-AROUND = [(3, 5, 1), (4, 6, 10)]  # scenes with plates and with surroundings, samples per step
+AROUND = [(3, 5, 1), (4, 6, 10)]  # scenes without and with surroundings, samples per step
 HOST = ("the host's own step, 20 free particles", dict())
 ROWS = (9, 18, 36)
-# symbols in the profile, in the order in which they are searched
+# patterns of symbols in the profile, in the order in which they are tried
 PARTS = [
     ("contact forces and derivatives", r"BearingForces::(\w*raceways|evaluate)"),
     ("cage rails", "BearingForces::rails"),
@@ -104,8 +104,8 @@ def measure(name, variables):
 
 
 def wide(balls):
-    """Return variables for a bearing with 9 k balls on a pitch circle k times as large as that of a
-    6208, with the same contact loads."""
+    """Return the variables for a bearing with 9 k balls on a pitch circle k times as large as that
+    of a 6208, with the same contact loads."""
     k = balls / 9
     pitch = 30.3e-3 * k
     cage = 2 * (2 * pitch * sin(pi / (2 * balls)) - 6.3e-3) - 33e-6
@@ -121,7 +121,7 @@ def wide(balls):
 
 
 def profile():
-    """Return the fraction of the cost of a step for each part, or None if perf is not installed."""
+    """Return the fraction of the cost of a step for each part, or None if perf is not available."""
     if not shutil.which("perf"):
         return None
     with tempfile.TemporaryDirectory() as folder:
@@ -183,8 +183,8 @@ def main():
         "",
         *"""\
 The bearing is a 6208 (5 kN, 477.5 rpm, mineral oil). Host steps are 0.1 ms long, and the tolerance
-is 0.1 µm. *Adds* is the difference from the scene on which a row builds, in the same round. The
-values are medians, with the range over the rounds in brackets.
+is 0.1 µm. *Adds* is the difference from the scene on which a row builds, measured in the same
+round. The values are medians, with the range over the rounds in brackets.
 """.splitlines(),
         "",
         "Feature by feature",
@@ -223,7 +223,7 @@ values are medians, with the range over the rounds in brackets.
     if shares:
         lines += [
             (
-                "All features are used, with order 2 and the capacitance at 10 instants per step."
+                "All features are on, with order 2 and the capacitance at 10 instants per step."
                 " The fractions refer to the processor time of a long run (perf record)."
             ),
             "",
@@ -234,12 +234,12 @@ values are medians, with the range over the rounds in brackets.
     else:
         lines += ["Not measured, because perf was not installed.", ""]
     lines += [
-        "Cost by number of balls",
-        "-----------------------",
+        "Cost against number of balls",
+        "----------------------------",
         "",
         (
             "Pitch circle, load and number of balls of these bearings are scaled up by"
-            " the same factor. The scene has film, cage, a free ring and order 1."
+            " the same factor. The scene includes film, cage and a free ring; the order is 1."
         ),
         "",
     ]
@@ -270,8 +270,9 @@ values are medians, with the range over the rounds in brackets.
             f" power {spread(orders, '{:.2f}')}."
         ),
         *"""\
-The blocks of four balls, the chain of cage contacts and the coupling to the rings each take a time
-that is proportional to the number of balls. Part of the host's step does not depend on this number.
+The time for the blocks of four balls, for the chain of cage contacts and for the coupling to the
+rings is proportional to the number of balls. Part of the host's step does not depend on this
+number.
 """.splitlines(),
         "",
     ]

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Read a run that is larger than the memory that reading it should need. The script simulates a
-6208 until its record has 2 GB, reads the record in every way that the package offers, and writes
-the seconds and the memory to build/bench/large_runs.rst.
+"""Read a run whose record is larger than the memory that reading it should require. The script
+simulates a 6208 until its record has 2 GB, reads the record in every way that the package offers,
+and writes the times and the memory to build/bench/large_runs.rst.
 
     .venv/bin/python tests/bench/large_runs.py [GIGABYTES [FOLDER]]
 
-If FOLDER (default: build/run/large) contains a large enough run, this run is used; otherwise a new
-run is made there and kept. The exit code is 1 if anything fails, needs 1 GB of memory, or takes
+If FOLDER (default: build/run/large) contains a large enough run, that run is used; otherwise a new
+run is made there and kept. The exit code is 1 if anything fails, requires 1 GB of memory, or takes
 longer than LONGEST.
 """
 
@@ -22,11 +22,11 @@ ROOT = Path(__file__).resolve().parents[2]
 LIMIT = 1000  # MB
 FIGURES, LARGEST = "all figures (`raceway summary`)", "largest load of each ball"
 LONGEST = {FIGURES: 3.0, LARGEST: 1.0}  # s
-TASKS = {  # {name: statements about `run`, executed in a separate process}
+TASKS = {  # {name: statements with `run`, executed in a separate process}
     "load the package only": "",
     FIGURES: "run.summary()",
     "bearing totals, every sample": "run.bearing",
-    "regime shares around the ring": "from raceway.runs.regimes import shares; shares(run)",
+    "film regimes around the ring": "from raceway.runs.regimes import shares; shares(run)",
     "pressure and permittivity around the ring": (
         "from raceway.runs.electrical import by_raceway; by_raceway(run)"
     ),
@@ -50,7 +50,7 @@ TASKS = {  # {name: statements about `run`, executed in a separate process}
 
 
 def run_deck(folder, passes):
-    """Run the main deck for a number of ball passes with a record in `folder`."""
+    """Run the main deck for a number of ball passes, with its record in `folder`."""
     print(f"simulating {passes} ball passes into {folder}", flush=True)
     words = [ROOT / "build" / "liggghts", "-in", "inputs/in.6208", "-log", "none"]
     for name, value in {"passes": passes, "out": folder, "overwrite": "yes"}.items():
@@ -71,8 +71,8 @@ def passes_of(folder):
 
 
 def simulate(folder, size):
-    """Return the number of ball passes of the run in `folder`. If it is missing or too small, make
-    a run whose length is estimated from a short run."""
+    """Return the number of ball passes of the run in `folder`. If the run is missing or too small,
+    make one whose length is estimated from a short run."""
     record = folder / "record.nc"
     if not (passes_of(folder) and record.stat().st_size >= size):
         run_deck(folder, 4)
@@ -81,11 +81,11 @@ def simulate(folder, size):
 
 
 def measure(folder, task, middle):
-    """Return (seconds without the import of the package, largest resident memory in MB) for a
+    """Return (seconds, excluding the import of the package; largest resident memory in MB) for a
     task."""
     code = (
         "import sys, time, warnings; warnings.simplefilter('ignore'); import raceway\n"
-        "raceway.open(sys.argv[1], slice(0, 1))  # loads all modules, and next to no data\n"
+        "raceway.open(sys.argv[1], slice(0, 1))  # loads all modules, but almost no data\n"
         "begun = time.perf_counter(); run = raceway.open(sys.argv[1])\n"
         + task.replace("MIDDLE", str(middle))
         + "\nprint(time.perf_counter() - begun, next(line.split()[1] for line in"
@@ -127,8 +127,8 @@ def main():
         "",
         *"""\
 Each task runs in a separate process. The seconds do not include the time to load the package, which
-is listed in the first row. Files may or may not be in the page cache. Memory is the largest
-resident size of the process.
+is given in the first row. Files may or may not be in the page cache. Memory is the largest resident
+size of the process.
 """.splitlines(),
         "",
         *csv_table(

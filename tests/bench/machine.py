@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Provide the folder of the pages that `make bench` writes, and a description of the machine."""
+"""Provide the folder for the pages that `make bench` writes, and a description of the machine."""
 
 import platform
 import re
@@ -13,14 +13,14 @@ YARDSTICK = Path(__file__).with_name("yardstick.cpp")
 
 
 def bench_file(name):
-    """Return the path of a page or picture; its folder is created if it is missing."""
+    """Return the path of a page or picture, after creating its folder if that does not exist."""
     PAGES.mkdir(parents=True, exist_ok=True)
     return PAGES / name
 
 
 def yardstick(rounds=9):
-    """Return the time in s of the fixed work of yardstick.cpp: (median, smallest, largest) of
-    `rounds`."""
+    """Return the median, smallest and largest time (s) of `rounds` repetitions of the fixed work in
+    yardstick.cpp."""
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "yardstick"
         subprocess.run(["g++", "-std=c++17", "-O2", YARDSTICK, "-o", program], check=True)
@@ -43,8 +43,8 @@ def csv_table(head, rows):
 
 
 def machine():
-    """Return lines with the processor, the versions of compiler and hosts, and the time of the
-    yardstick."""
+    """Return lines that state the processor, the versions of compiler and hosts, and the time of
+    the yardstick."""
     cpu = re.search(r"model name\s*:\s*(.+)", Path("/proc/cpuinfo").read_text()).group(1)
     gcc = subprocess.run(
         ["g++", "--version"], capture_output=True, text=True, check=True

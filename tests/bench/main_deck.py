@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure the speed and the error of the main deck with its record, for several models, speeds and
+"""Measure the speed and the error of the main deck with its record for several models, speeds and
 integrators, and write build/bench/main_deck.rst.
 
     .venv/bin/python tests/bench/main_deck.py [ROUNDS]
 
-All settings alternate within every round, and medians over the rounds are used. Errors are relative
-to the same deck with a fine tolerance.
+All settings alternate within every round, and the medians over the rounds are used. Errors are
+relative to the results of the same deck with a fine tolerance.
 """
 
 import statistics
@@ -23,11 +23,11 @@ from machine import bench_file, machine
 MODELS = ("paper", "full")
 ASKED = {47.75: 250.0, 477.5: 30.0, 9549.0: 2.0}  # {rpm: required real-time factor}
 REFERENCE = {"implicit": 1e-10, "damping": 1e-9}  # m, tolerance
-HIGH_SPEED = 9549.0  # rpm; below it, `damping` is left out, because its steps would be too short
+HIGH_SPEED = 9549.0  # rpm; at lower speeds the steps of `damping` would be too short
 SAMPLES = 200  # per ball pass
 TIMED, COMPARED = 40, 4  # ball passes
-SETTLE = 4  # ball passes, also for the reference, so that the balls are at the same positions
-LEAST = 0.01  # fraction of the largest load; contacts below it are left out of the film error
+SETTLE = 4  # ball passes, also for the reference run, so that balls are at the same positions
+LEAST = 0.01  # fraction of the largest load; contacts below it are not in the film error
 HEADS = (
     "models",
     "rpm",
@@ -44,20 +44,20 @@ HEADS = (
     "friction power, mean",
 )
 PAGE = """\
-The main deck: speed and error
-==============================
+Speed and error of the main deck
+================================
 
 Written by ``tests/bench/main_deck.py`` (``make bench``), {today}.
 
 The main deck was run with its defaults at 5 kN, with {samples} samples per ball pass. The speeds
-are real-time factors over {timed} ball passes, with the full record and without output, as medians
-of {rounds} rounds. The times include writing all samples to the operating system.
+are real-time factors over {timed} ball passes, with the full record and without output; they are
+medians over {rounds} rounds. The times include writing all samples to the operating system.
 
-Errors are relative and were computed over {compared} ball passes. The reference has a tolerance of
-0.1 nm, also for cage balls, or 1 nm with *damping*. Loads are compared contact by contact, relative
-to the largest load. Films are compared for contacts with at least 1 % of the largest load, and
-means over all {compared} ball passes. With ``full``, the motion of the cage is chaotic, so that
-only means are reproducible.
+Errors are relative, and were computed over {compared} ball passes. The reference run has a
+tolerance of 0.1 nm (1 nm with *damping*), also for cage balls. Loads are compared contact by
+contact, relative to the largest load. Films are compared for contacts with at least 1 % of the
+largest load, and means over all {compared} ball passes. With ``full``, the motion of the cage is
+chaotic, so that only means are reproducible.
 
 .. list-table::
    :header-rows: 1
@@ -81,7 +81,7 @@ require further evaluations. All times are in microseconds per sample, with the 
 
 
 class Scene(NamedTuple):
-    """A setting of the main deck that is measured."""
+    """One of the settings of the main deck that are measured."""
 
     models: str
     rpm: float
@@ -89,7 +89,7 @@ class Scene(NamedTuple):
 
 
 def integrators(rpm):
-    """Return the integrators that are measured at a speed."""
+    """Return the integrators to be measured at a speed."""
     return [name for name in REFERENCE if name == "implicit" or rpm >= HIGH_SPEED]
 
 
@@ -109,7 +109,7 @@ def played(scene, folder, **more):
 
 
 def recorded(folder):
-    """Return the quantities of a run that are compared: (loads, films, {name: mean})."""
+    """Return the quantities of a run to be compared: (loads, films, {name: mean})."""
     with xr.open_dataset(folder / "record.nc", decode_times=False) as record:
         inner = record.bearing_load_inner
         means = {
@@ -126,7 +126,7 @@ def recorded(folder):
 
 
 def errors(found, truth):
-    """Return the errors of loads and films at single instants, followed by the errors of the
+    """Return the errors of loads and films at single instants, followed by the errors of their
     means."""
     largest = truth[0].max()
     both = (found[0] > LEAST * largest) & (truth[0] > LEAST * largest)
@@ -144,7 +144,7 @@ def listed(rows):
 
 
 def compared(scene, folder):
-    """Return the errors of a scene relative to the same scene with a fine tolerance."""
+    """Return the errors in a scene relative to the same scene with a fine tolerance."""
     fine = REFERENCE[scene.integrator]
     truth = recorded(played(scene, folder, passes=COMPARED, tolerance=fine, cage_tolerance=fine))
     return errors(recorded(played(scene, folder, passes=COMPARED)), truth)

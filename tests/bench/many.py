@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure the cost of many bearings in one box, on one rank and on two, and write
-build/bench/many.rst with a model for clusters.
+"""Measure the cost of many bearings in one box, on one rank and on two ranks, and write
+build/bench/many.rst, which includes a model for clusters.
 
     .venv/bin/python tests/bench/many.py [rounds]
 
-The runs of a round are made one after another, so that a drift of the machine affects all of them;
-ratios are formed within a round.
+The runs of a round are made one after another, so that a drift in the speed of the machine affects
+all of them; ratios are formed within each round.
 """
 
 import math
@@ -28,8 +28,8 @@ ENVIRONMENT = dict(
     OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
     OMPI_MCA_mpi_yield_when_idle="0",
 )
-# s, time step; host steps of the timed run (with one bearing, with many); s, duration of the load
-# ramp before the timed run; a ball pass has 140 steps
+# time step (s); host steps of the timed run with one bearing and with many; duration (s) of the
+# load ramp before the timed run; a ball pass has 140 steps
 INTEGRATORS = {
     "verlet": {"step": 4e-7, "steps": (400_000, 1000), "settle": 4e-4},
     "implicit": {"step": 2.5e-4, "steps": (70_000, 140), "settle": 2e-2},
@@ -37,24 +37,25 @@ INTEGRATORS = {
 ALIKE = {"fleet": "alike", "lubricant": "mineral", "models": "paper", "record": "none"}
 RANKS = (100, 1000, 10_000)
 FLEETS = (10_000, 100_000, 1_000_000)
-LATENCY, BANDWIDTH = 2e-6, 1e10  # s, bytes/s, typical of a cluster; not measured here
+LATENCY, BANDWIDTH = 2e-6, 1e10  # s and bytes/s, typical values for a cluster; not measured here
 PACK = (
-    # s, time to pack and unpack a ghost; about the time of a copy from outside the cache, not
-    # measured here
+    # s, time to pack and unpack a ghost, assumed to be about the time of a copy from outside the
+    # cache; not measured here
     20e-9
 )
 GHOST_BYTES = 72  # position, velocity, spin
 
 
 def run(ranks, steps, folder, **variables):
-    """Return the results of one run of in.many: the times (s) of all loops, of a bearing-step and
-    of the host's part of a bearing-step, and the memory (kB) and the number of ghosts per rank."""
+    """Return the results of one run of in.many: the wall times (s) of all loops, of a bearing-step
+    and of the host's part of a bearing-step; and per rank, the memory (kB) and the number of
+    ghosts."""
     implicit, settle = (
         variables["integrator"] == "implicit",
         INTEGRATORS[variables["integrator"]]["settle"],
     )
     deck = folder / "in.bench"
-    # the load is applied during a first run; the last run is timed
+    # the load is applied during the first run; only the last run is timed
     deck.write_text(
         f"include inputs/in.many\nundump table\nrun {steps}\n"
         + ('variable made equal f_move[3]\nprint "internal steps ${made}"\n' if implicit else "")
@@ -117,7 +118,7 @@ def run(ranks, steps, folder, **variables):
 
 
 def state(ranks, folder, **variables):
-    """Return the last state of many different bearings with all digits."""
+    """Return the final state, with all digits, of many bearings that differ."""
     command = [ROOT / "build" / "liggghts", "-in", "tests/hosts/in.many_bits", "-log", "none"]
     for name, value in {"out": folder, **variables}.items():
         command += ["-var", name, value]
@@ -135,7 +136,7 @@ def state(ranks, folder, **variables):
     )
     if done.returncode:
         sys.exit(f"failed on {ranks} ranks:\n{done.stdout[-2000:]}")
-    # rows of tables, sorted by step: the order of the rows, but not their bits, may depend on the
+    # rows of tables, sorted by step; the order of the rows, but not their values, may depend on the
     # number of ranks
     return (
         sorted((folder / "bearings.dump").read_text().splitlines()),
@@ -144,8 +145,8 @@ def state(ranks, folder, **variables):
 
 
 def measure(rounds, folder):
-    """Return a dictionary for each round and integrator, which contains the seconds per bearing and
-    host step, and the other results."""
+    """Return a dict for each round and integrator that contains the seconds per bearing and host
+    step, and the other results."""
     results = {}
     for name, how in INTEGRATORS.items():
         one, many = how["steps"]
@@ -172,7 +173,7 @@ def measure(rounds, folder):
 
 
 def set_up(folder):
-    """Return [(number of bearings, wall seconds before the first step), ...]."""
+    """Return a list of (number of bearings, wall seconds before the first step)."""
     import time
 
     rows = []
@@ -206,12 +207,12 @@ def span(rows, key, scale=1.0, digits=3):
 
 def model(seconds, ghosts, fleet, ranks):
     """Return (seconds per host step, parallel efficiency) for bearings in a square grid that is
-    divided into equal squares, one per rank."""
+    divided into equal squares, one for each rank."""
     n = math.ceil(fleet / ranks)
     work = n * seconds
     if ranks == 1:
         return work, 1.0
-    each = 4 * math.sqrt(n) * ghosts  # a rank has ghosts on four sides
+    each = 4 * math.sqrt(n) * ghosts  # a rank has ghosts on all four sides
     talk = 4 * LATENCY + each * (GHOST_BYTES / BANDWIDTH + PACK)
     return work + talk, fleet * seconds / ranks / (work + talk)
 
@@ -225,9 +226,9 @@ def page(results, equal, set_ups, rounds):
         "=============",
         "",
         *f"""\
-``inputs/in.many`` was run with {MANY} identical 6208 bearings under 5 kN at 477.5 rpm, with film,
-friction and cage, in a square grid. Measured on {date.today()}, {rounds} rounds. The values are
-medians, with the range over the rounds in brackets. Ratios are formed within a round.
+``inputs/in.many`` was run with {MANY} identical 6208 bearings in a square grid, each under 5 kN at
+477.5 rpm, with film, friction and cage. Measured on {date.today()}, {rounds} rounds. The values are
+medians, with the range over the rounds in brackets. Ratios are formed within each round.
 """.splitlines(),
         "",
     ]
@@ -238,11 +239,11 @@ medians, with the range over the rounds in brackets. Ratios are formed within a 
         "----------------------",
         "",
         *"""\
-*bearing-step*: wall time of the run divided by its steps and bearings. The steps of velocity Verlet
-are 0.4 µs long. The internal steps of the implicit integrator are about 200 µs long, with host
-steps of 250 µs and without output. *ratio*: bearing-step with many bearings in a box divided by
-that with a single bearing, both on one rank. *efficiency* of two ranks: time on one rank divided by
-twice the time on two ranks.
+*bearing-step*: wall time of the run divided by its numbers of steps and bearings. The steps of
+velocity Verlet are 0.4 µs long. The internal steps of the implicit integrator are about 200 µs
+long, with host steps of 250 µs and without output. *ratio*: bearing-step for many bearings in a
+box, divided by that for a single bearing, both on one rank. *efficiency* of two ranks: time on one
+rank divided by twice the time on two ranks.
 """.splitlines(),
         "",
     ]
@@ -273,37 +274,36 @@ twice the time on two ranks.
     )
     lines += [
         *"""\
-There are two reasons for a ratio above 1. A single bearing stays in the caches of its core, whereas
-many bearings are fetched from main memory once per host step (the table lists their memory). On the
-other hand, a single bearing carries the whole fixed cost of a host step. Identical bearings share
-the solver of the implicit step, which stays in the caches, so that only the state of a bearing is
-fetched.
+There are two effects on the ratio, which act in opposite directions. A single bearing stays in the
+caches of its core, whereas many bearings are fetched from main memory once per host step (the table
+lists their memory). On the other hand, a single bearing carries the whole fixed cost of a host
+step. Identical bearings share the solver of the implicit step, which stays in the caches, so that
+only the state of a bearing is fetched.
 """.splitlines(),
         "",
         *f"""\
 The final states of {MANY} bearings that differ in load, speed, azimuth and lubricant were compared
-bitwise between 1, 2 and 4 ranks (4 ranks on two cores):
+bitwise between runs on 1, 2 and 4 ranks (4 ranks on two cores):
 """.splitlines(),
         "; ".join(
             f"{name}: {'identical' if same else '**different**'}" for name, same in equal.items()
         )
         + ".",
         "",
-        "Set-up on one rank: "
+        "Setup time on one rank: "
         + "; ".join(f"{n} bearing{'s' if n > 1 else ''} {seconds:.2g} s" for n, seconds in set_ups)
         + ".",
         *"""\
 Each ``create_bearing`` command adds its atoms to the host's map, which is rebuilt after every
-thousand atoms. It still searches for the largest tag on its rank, which takes about a nanosecond
-for every few atoms.
+thousand atoms. The command still searches for the largest tag on its rank, which takes about a
+nanosecond for every few atoms.
 
 Clusters: a model
 -----------------
 
-There are only two cases in which all ranks communicate with each other: the check for new neighbour
-lists, and output. Otherwise, a rank computes its bearings and exchanges messages with its
-neighbours, of which there are four in a plane grid. With :math:`n = N/P` bearings per rank, the
-time per host step is
+All ranks communicate with each other only in two cases: when neighbour lists are checked, and for
+output. Otherwise, a rank computes its bearings and exchanges messages with its neighbours, of which
+there are four in a plane grid. With :math:`n = N/P` bearings per rank, the time per host step is
 
 .. math::
 
@@ -363,19 +363,19 @@ state of its bodies.
         "-------------------------",
         "",
         *"""\
-- Ranks are assigned equal volumes. If bearings differ in cost (the implicit step refines some more
-  than others), the slowest rank determines the speed. A grid that cannot be divided evenly among
-  the ranks also increases the cost.
+- Ranks are assigned equal volumes. If the cost differs between bearings (the implicit step refines
+  some more than others), the slowest rank determines the speed. A grid that cannot be divided
+  evenly among the ranks also increases the cost.
 - The model assumes that messages within a rank cost nothing and that every bearing costs the same.
   A network that is shared with other jobs is slower.
-- After every new neighbour list, each rank sends every other rank the sizes of its messages, a few
-  bytes for each rank. With the implicit step this happens every few host steps, with Verlet every
-  few thousand.
+- After every new neighbour list, each rank sends the sizes of its messages, a few bytes for each
+  rank, to every other rank. With the implicit step this happens every few host steps; with Verlet,
+  every few thousand steps.
 - With the implicit step, all ranks exchange lists of the rings that belong together: about 24 bytes
-  for each ring and each rank that sees it. Above about 10\\ :sup:`5` bearings, these lists rather
-  than the bearings determine the speed.
-- On every rank, the host's map of atoms takes 4 bytes for every atom in the box, i.e. 80 MB for
-  10\\ :sup:`6` bearings. Each fix bearing/ring takes 4 bytes for every ring.
+  for each ring and each rank that sees it. For more than about 10\\ :sup:`5` bearings, these lists
+  determine the speed, and not the bearings.
+- On every rank, the host's map of atoms requires 4 bytes for every atom in the box, i.e. 80 MB for
+  10\\ :sup:`6` bearings. Each fix bearing/ring requires 4 bytes for every ring.
 - ``thermo`` with compute bearing/total gathers all balls on all ranks. The table of compute
   bearing/ring does not.
 """.splitlines(),

@@ -4,9 +4,9 @@ build/bench/model_error.rst and the diagram.
 
     .venv/bin/python tests/bench/model_error.py
 
-Every set of models is run with a range of tolerances. The total error is measured in the same way
-as by `raceway needs`, relative to the full model with a fine integration. The numerical error is
-measured relative to the same set of models with the same fine integration.
+Every set of models is run with a range of tolerances. The total error is relative to the full model
+with a fine integration, as in `raceway needs`. The numerical error is relative to the same set of
+models with the same fine integration.
 """
 
 import sys
@@ -39,19 +39,19 @@ FIGURES = {"torque": "friction torque", "capacitance": "capacitance", "load": "l
 TOLERANCES = ("1e-6", "3e-7", "1e-7", "3e-8", "1e-8", "3e-9", "1e-9", "3e-10", "1e-10")  # m
 SAMPLES = 200  # per ball pass
 COARSE, USUAL = "1e-6", "1e-9"  # m, tolerances in the table
-LEAST = 1e-6  # smaller errors are drawn at this value, because the reference is not more accurate
+LEAST = 1e-6  # smaller errors are drawn at this value, which is the accuracy of the reference
 
 
 class Found(NamedTuple):
-    """The results of a run, keyed by the names that `raceway needs` uses, and its number of contact
-    evaluations."""
+    """The results of a run, keyed by the names that `raceway needs` uses, and the number of contact
+    evaluations in the run."""
 
     figures: dict[str, float]
     evaluations: float
 
 
 class Curve(NamedTuple):
-    """Runs of one set of models in a scene, keyed by tolerance, and the run with fine
+    """Runs with one set of models in a scene, keyed by tolerance, and the run with fine
     integration."""
 
     runs: dict[str, Found]
@@ -66,7 +66,7 @@ def played(folder: Path, **variables: object) -> Found:
 
 
 def curves(scene: dict[str, float], folder: Path) -> dict[str, Curve]:
-    """Return the `Curve` for every set of models in a scene."""
+    """Return a dict that maps each set of models to its `Curve` for a scene."""
     found = {}
     for models in MODELS:
         own = {**scene, "models": models}
@@ -80,7 +80,8 @@ def curves(scene: dict[str, float], folder: Path) -> dict[str, Curve]:
 
 
 def error(found: Found, truth: Found, yardstick: Found, word: str) -> float:
-    """Return the error of a result compared with `truth`, relative to the value in `yardstick`."""
+    """Return the difference between a result and `truth` as a fraction of the value in
+    `yardstick`."""
     return abs(found.figures[word] - truth.figures[word]) / abs(yardstick.figures[word])
 
 
@@ -101,7 +102,7 @@ def draw(results: dict[str, dict[str, Curve]]) -> None:
                     (curve.fine, ":", "none"),
                 ):
                     if dash == ":" and models == "full":
-                        continue  # this would be the same line
+                        continue  # equal to the total error, which is already drawn
                     height = [max(error(run, truth, yardstick, word), LEAST) for run in runs]
                     order = sorted(zip(cost, height))
                     label = f"{models}: " + ("numerical error" if dash == ":" else "total error")
@@ -128,8 +129,8 @@ def draw(results: dict[str, dict[str, Curve]]) -> None:
 
 
 def table(results: dict[str, dict[str, Curve]]) -> list[str]:
-    """Tabulate the model errors, and the numerical errors at a coarse and at the usual
-    tolerance."""
+    """Tabulate the model errors, and the numerical errors at a coarse tolerance and at the usual
+    one."""
     rows = []
     for scene, found in results.items():
         yardstick = found["full"].fine
@@ -165,16 +166,16 @@ def page(results: dict[str, dict[str, Curve]]) -> str:
             *f"""\
 The main deck was run with three sets of models and {SAMPLES} samples per ball pass. Tolerances
 range from 1 µm to 0.1 nm. As in :doc:`needs`, errors of means over a ball pass are relative to
-``full`` at 0.01 nm and 800 samples. Filled marks show the total error, and open marks the numerical
-error alone, relative to the same models with equally fine integration. All errors are divided by
-the values for ``full``.
+``full`` at 0.01 nm and 800 samples. Filled marks show the total error. Open marks show the
+numerical error alone, relative to the same models with equally fine integration. All errors are
+divided by the values for ``full``.
 
 .. image:: model_error.png
    :alt: error against evaluations, for three sets of models
 
-Where a solid line is level, the model error dominates, and a finer tolerance brings no gain,
-because numerical errors are far below it. Where the open marks are level, only the error of a mean
-over {SAMPLES} samples remains.
+Where a solid line is level, the model error dominates, and a finer tolerance brings no benefit,
+because the numerical error is far smaller. Where the open marks are level, the remaining error is
+that of a mean over {SAMPLES} samples.
 
 Errors below {LEAST:g} are drawn at {LEAST:g}. With ``paper`` and ``film`` there is hardly any
 friction torque, so its relative error is 1. In the table, *model* is the error with the finest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Check the recommendations of `raceway needs` for 20 random scenes by further runs that the
+"""Check the recommendations of `raceway needs` for 20 random scenes with additional runs that the
 command did not make, and write build/bench/needs.rst.
 
     .venv/bin/python tests/bench/needs.py [--print]     --print: do not write the page
@@ -30,7 +30,7 @@ from raceway.sweeps.scene_parts import figures as of_summary  # noqa: E402
 
 TARGET = bench_file("needs.rst")
 SCENES, SEED = 20, 16
-KEPT, CHEAPER = 19, 5  # required number of accurate recommendations, and of times cheaper
+KEPT, CHEAPER = 19, 5  # required: accurate recommendations, median cost factor
 WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
 EXACT = {**REFERENCE, "tolerance": "1e-11", "samples": "1000"}  # finer than the command's reference
 SAME = ("passes", "surroundings")  # these are the same in all scenes
@@ -65,8 +65,8 @@ def figures(folder, variables):
 
 
 def row(own, folder):
-    """Return (table cells, whether the requested accuracy is met, cost), or None for a scene that
-    the engine rejects with the full model."""
+    """Return (table cells, whether the requested accuracy is met, cost), or None if the engine
+    rejects the scene with the full model."""
     name = ", ".join(f"{key} {value}" for key, value in own.items() if key not in SAME)
     exact = figures(folder / "exact", {**own, **EXACT})
     if isinstance(exact, str):
@@ -123,16 +123,17 @@ def page(rows, refused):
         "================",
         "",
         *f"""\
-``raceway needs`` (:doc:`../needs`) was run with ``--want {wanted}`` for {SCENES} scenes of a 6208,
-which were drawn at random with seed {SEED}. Gaps are flooded. Written on {date.today()}:
+``raceway needs`` (:doc:`../needs`) was run with ``--want {wanted}`` for {SCENES} scenes with a
+6208, which were drawn at random with seed {SEED}. Gaps are flooded. Written on {date.today()}:
 """.splitlines(),
         "",
         *(f"- {line}" for line in machine()),
         "",
         *f"""\
-The errors were determined by one more run with the recommended settings. It was compared with a run
-of the full model with a tolerance of 0.01 nm and 1000 samples per ball pass, which the command does
-not use. {kept} of {SCENES} recommendations meet the requested accuracy; {KEPT} are required.
+The errors were determined by one additional run with the recommended settings. It was compared with
+a run of the full model with a tolerance of 0.01 nm and 1000 samples per ball pass, which the
+command does not use. {kept} of {SCENES} recommendations meet the requested accuracy; {KEPT} are
+required.
 
 The fine full model has a tolerance of 0.1 nm and 400 samples per ball pass. The recommended
 settings are {middle:.1f} times cheaper (median, range {min(cheaper):.1f} to {max(cheaper):.1f}); a

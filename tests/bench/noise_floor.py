@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare the vibration of a perfect bearing with that of a bearing with 0.01 um of waviness on its
-inner raceway, both with the integrator `vibration`, and write build/bench/noise_floor.rst.
+"""Compare the vibration of a perfect bearing with that of a bearing with a waviness of 0.01 um on
+its inner raceway, both with the integrator `vibration`, and write build/bench/noise_floor.rst.
 
     .venv/bin/python tests/bench/noise_floor.py [--print]     --print: do not write the page
 
-The exit code is 1 if the amplitude of the perfect bearing exceeds a tenth of that of the wave's
-line.
+The exit code is 1 if the amplitude of the perfect bearing exceeds a tenth of the line that the
+waviness causes.
 """
 
 import sys
@@ -26,29 +26,29 @@ TARGET = bench_file("noise_floor.rst")
 SCENE = dict(bearing=6205, load=500, rpm=1797, lubricant="vg46", passes=80, settle=10)
 MODE = dict(integrator="vibration", housing="springs", record="summary")
 RATE = 48e3  # Hz
-BAND = (20.0, 0.4 * RATE)  # Hz, range in which the noise floor is determined
+BAND = (20.0, 0.4 * RATE)  # Hz, frequency range in which the noise floor is determined
 WAVE = 1e-8  # m
-# {number of waves on the inner raceway: shaft order added to BPFI}, for Z - 1 and Z + 1
+# {number Z - 1 or Z + 1 of waves on the inner raceway: shaft order to add to BPFI}
 WAVES = {8: -1, 10: 1}
-ENDS = 100  # number of samples at each end that are affected by the filter
+ENDS = 100  # number of samples at each end that the filter distorts
 PAGE = """\
 Noise floor of vibration
 ========================
 
 Written by ``tests/bench/noise_floor.py`` (``make bench``).
 
-A perfect bearing is not silent, because its stiffness varies as balls pass, at BPFO and its
-harmonics. All other lines in its spectrum are numerical noise. Here this noise is compared with the
-lines of a bearing with waves of {wave:g} µm on its inner raceway. The bearing is a 6205 at {rpm}
-rpm under {load} N with VG 46. Signals are sampled at {rate:g} kHz, with ``-var integrator
-vibration`` and ``-var housing springs``. The record is {seconds:.2f} s long.
+A perfect bearing is not silent: its stiffness varies as balls pass, at BPFO and its harmonics. All
+other lines in its spectrum are numerical noise. Here this noise is compared with the lines of a
+bearing with waves of {wave:g} µm on its inner raceway. The bearing is a 6205 at {rpm} rpm under
+{load} N with VG 46. Signals are sampled at {rate:g} kHz, with ``-var integrator vibration`` and
+``-var housing springs``. The record is {seconds:.2f} s long.
 
 Accelerations of the perfect bearing along the load, in m/s²:
 
 {perfect}
 
-* *rms*: root mean square of the whole signal, which is nearly all at BPFO and its harmonics.
-* *median*: median amplitude between {low:g} Hz and {high:g} kHz, which is the noise floor for a
+* *rms*: root mean square of the whole signal, nearly all of which is at BPFO and its harmonics.
+* *median*: median amplitude between {low:g} Hz and {high:g} kHz, i.e. the noise floor for a
   line.
 
 Lines caused by waves on the inner raceway, in m/s², and the amplitude of the perfect bearing at the
@@ -63,20 +63,21 @@ mass of 2 kg on stiff springs that is excited only by the inertia of the inner r
 
 
 def run(folder, **words):
-    """Run the scene with additional variables, and return the run."""
+    """Run the scene with additional variables, and return the `Run`."""
     succeed("inputs/in.6208", out=folder, timeout=1200, **SCENE, **MODE, **words)
     return Run(folder)
 
 
 def of_ring(run, ring):
-    """Return (spectrum in m/s^2 of the acceleration of a ring along the load, its rms)."""
+    """Return (spectrum of a ring's acceleration along the load in m/s^2, rms of the
+    acceleration)."""
     heard = sensor.of_run(run, "ay", ring, RATE).to_numpy()[ENDS:-ENDS]
     return spectrum.spectrum(heard, 1 / RATE), float(heard.std())
 
 
 def line(found, run, shift):
-    """Return the amplitude (m/s^2) at BPFI plus `shift` times the shaft frequency, where BPFI
-    follows from the cage speed of the run."""
+    """Return the amplitude (m/s^2) at BPFI plus `shift` times the shaft frequency. BPFI follows
+    from the cage speed of the run."""
     order, hertz = spectrum.places(run, harmonics=1)["BPFI", 1]
     hertz += shift * hertz / order
     return float(found.sel(frequency=hertz, method="nearest"))

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare the results and the force evaluations of the main deck with `settle orbit` with those
-after long settling, and write build/bench/orbit.rst.
+"""Compare the results and the number of force evaluations of the main deck with `settle orbit` to
+those of the main deck after long settling, and write build/bench/orbit.rst.
 
     .venv/bin/python tests/bench/orbit.py [SCENE ...]
 
-The results are means over one ball pass of the orbit. They are compared with means over `MEASURED`
-ball passes of a run that has settled for 30 ball passes, or for as many as its scene needs to
-become steady. The evaluations during settling and one measured ball pass are compared with those of
-a run with 30 ball passes of settling and one measured ball pass. The number of evaluations does not
-depend on the load of the machine.
+The results with `settle orbit` are means over one ball pass of the orbit. They are compared with
+means over `MEASURED` ball passes of a run that has settled for 30 ball passes, or for as many as
+its scene requires to become steady. The evaluations for settling and one measured ball pass are
+compared with those of a run with 30 ball passes of settling and one measured ball pass. The number
+of evaluations does not depend on the load of the machine.
 """
 
 import sys
@@ -66,8 +66,8 @@ HEADS = (
     *("torque", "largest load", "smallest film", "cage speed"),
 )
 PAGE = """\
-The orbit of a ball pass
-========================
+Periodic orbit over one ball pass
+=================================
 
 Written by ``tests/bench/orbit.py``, {today}. Runs with ``settle orbit`` are compared with runs that
 settle for 30 ball passes. Errors are relative to {measured} ball passes of a steady run.
@@ -85,8 +85,8 @@ Scenes without an orbit
 
 
 def figures(folder):
-    """Return (friction torque (N m), largest contact load at an instant (N), minimum film thickness
-    at the largest inner load (m), cage speed (rad/s)), each as a mean value."""
+    """Return the mean values of friction torque (N m), largest contact load at an instant (N),
+    minimum film thickness at the largest inner load (m), and cage speed (rad/s)."""
     tables = RunTables(folder)
     found = summary(tables)
     loads = tables.contacts["load"].to_numpy().reshape(len(tables.totals), -1)
@@ -98,7 +98,7 @@ def figures(folder):
 
 
 def settled(folder, settle, words, passes=1):
-    """Return (output of the host, notes of the run, evaluations up to the end of one measured ball
+    """Return (output of the host, cost of the run, evaluations up to the end of one measured ball
     pass)."""
     given = {"models": "full", **words, "settle": settle, "passes": passes}
     said = run_deck(DECK, **given, out=folder, overwrite="yes")

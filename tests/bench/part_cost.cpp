@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Measures the time of the contact laws alone, part by part, for part_cost.py. The program prints
-// one line per law, "NAME BASE explicit implicit", with times in ns per contact. Explicit is an
-// evaluation in doubles; implicit is an evaluation with derivatives, for four contacts at a time.
+// one line per law, "NAME BASE explicit implicit", where the times are in ns per contact.
+// "explicit" is an evaluation in doubles; "implicit" is an evaluation with derivatives, for four
+// contacts at a time.
 #include "../../src-package/core/contact/contact.h"
 #include "../../src-package/core/contact/contact_slopes.h"
 
@@ -14,7 +15,7 @@ using namespace raceway;
 
 namespace {
 
-constexpr int contacts = 4096;    // few enough for their states to stay in the cache of one core
+constexpr int contacts = 4096;    // few enough for all states to fit into the cache of one core
 
 struct Scene {
   RacewayPhysics p;
@@ -27,7 +28,7 @@ struct Film {
   InletShear shear = InletShear::murch;
 };
 
-// Return contacts of a 6208 at 477.5 rpm with loads up to 2.4 kN, which roll with a little slip.
+// Return contacts of a 6208 at 477.5 rpm with loads up to 2.4 kN that roll with a little slip.
 Scene scene(unsigned parts, const Film &film)
 {
   Scene s;
@@ -122,12 +123,12 @@ template <class L> struct Implicit {
   }
 };
 
-// A plain Lane in a vector may be aligned to only 16 bytes (lane.h).
+// A plain Lane may be aligned to only 16 bytes when it is an element of a vector (lane.h).
 struct alignas(sizeof(Lane)) State {
   Lane of;
 };
 
-double kept = 0.0;    // keeps the compiler from removing unused results
+double kept = 0.0;    // prevents the compiler from removing unused results
 
 template <class L> void report(const char *name, int base, const Film &film = {})
 {
@@ -135,7 +136,7 @@ template <class L> void report(const char *name, int base, const Film &film = {}
   std::vector<double> one(contacts * (L::states + 1));
   std::vector<State> four(contacts / lanes * (L::states + 1));
   double least[2] = {HUGE_VAL, HUGE_VAL};
-  // the minimum is affected least by other work on the machine
+  // other work on the machine affects the minimum least
   for (int round = 0; round < 40; ++round) {
     const double t0 = seconds();
     kept += explicit_pass<L>(s, one.data());
@@ -158,9 +159,9 @@ template <class... P> using Slip = FullLaw<MixedFrictionPart, DifferentialSlipPa
 int main()
 {
   report<DryLaw<>>("Hertz, hysteretic damping", -1);
-  report<LubricatedLaw<>>("film thickness, film damper of eq 5", 0);
+  report<LubricatedLaw<>>("film thickness, film damper according to eq 5", 0);
   report<GapLaw<>>("film in the gap instead of Hertz alone", 1);
-  report<FullLaw<>>("film branch instead of eq 5", 2);
+  report<FullLaw<>>("film branch instead of the film damper", 2);
   report<FullLaw<ConstantFrictionPart, SmoothedFrictionPart>>("smoothed friction", 3);
   report<FullLaw<StribeckFrictionPart, SmoothedFrictionPart>>("Stribeck's coefficient", 4);
   report<FullLaw<MixedFrictionPart, SmoothedFrictionPart>>("mixed coefficient", 4);

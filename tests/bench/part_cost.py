@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure the cost of each part of the contact law alone (part_cost.cpp), and the cost of complete
-runs with the models `paper`, `film` and `full`, and write build/bench/part_cost.rst."""
+"""Measure the cost of each part of the contact law on its own (part_cost.cpp) and the cost of
+complete runs with the models `paper`, `film` and `full`, and write build/bench/part_cost.rst."""
 
 import statistics
 import subprocess
@@ -31,15 +31,15 @@ def build(folder):
 
 
 def parts(program):
-    """Return [(name, base, explicit, implicit), ...], where the times are in ns per contact."""
+    """Return a list of (name, base, explicit, implicit), where the times are in ns per contact."""
     text = subprocess.run([program], capture_output=True, text=True, check=True).stdout
     rows = [line.split("|") for line in text.splitlines()]
     return [(name, int(base), float(one), float(four)) for name, base, one, four in rows]
 
 
 def whole():
-    """Return {models: (ns per step of velocity Verlet, ns per simulated ms of the implicit
-    integrator)}."""
+    """Return a dict that maps each set of models to (ns per step of velocity Verlet, ns per
+    simulated ms of the implicit integrator)."""
     found = {}
     for models in MODELS:
         verlet = measure("in.cost", dict(models=models))[0]
@@ -70,11 +70,11 @@ def main():
         *(f"- {fact}" for fact in machine()),
         "",
         *"""\
-The laws are evaluated alone, for 4096 loaded contacts of a 6208. *Adds* is the difference from the
-law on which a row builds, in the same round. *Explicit* is one evaluation in doubles; *implicit* is
-an evaluation with derivatives, for four contacts at a time. The fraction relates the explicit
-evaluation of a part for nine contacts to a step of velocity Verlet with ``full``. The values are
-medians, with the range over the rounds in brackets.
+The laws are evaluated on their own, for 4096 loaded contacts of a 6208. *Adds* is the difference
+from the law on which a row builds, measured in the same round. *Explicit* is one evaluation in
+doubles; *implicit* is an evaluation with derivatives, for four contacts at a time. *Fraction* is
+the time of a part for nine contacts (explicit) divided by that of a velocity-Verlet step with
+``full``. The values are medians, with the range over the rounds in brackets.
 """.splitlines(),
         "",
     ]
@@ -100,7 +100,7 @@ medians, with the range over the rounds in brackets.
             "adds",
             "implicit (ns per contact)",
             "adds",
-            "share (%)",
+            "fraction (%)",
         ),
         body,
     )
@@ -109,7 +109,7 @@ medians, with the range over the rounds in brackets.
         "----------",
         "",
         *"""\
-The bearing is a 6208 with its cage under 5 kN at 477.5 rpm. The implicit step has a tolerance of 1
+The bearing is a 6208 with a cage, under 5 kN at 477.5 rpm. The implicit step has a tolerance of 1
 nm (0.1 µm for cage balls with ``film`` and ``full``) and host steps of 0.1 ms.
 """.splitlines(),
         "",

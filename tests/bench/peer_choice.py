@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Choose the best setting of a program for peers.py, which is the cheapest in a short list whose
-results are within 1e-3 of those with the program's finest setting."""
+"""Choose the best setting of a program for peers.py: the cheapest in a short list whose results are
+within 1e-3 of those with the program's finest setting."""
 
 import statistics
 from collections.abc import Callable, Sequence
@@ -10,19 +10,19 @@ import numpy as np
 from peer_runs import Failure, Outcome
 
 ALLOWED = 1e-3
-RUNS = 3  # number of runs of an accurate setting, whose median cost is used
+RUNS = 3  # number of runs with an accurate setting; their median cost is used
 
 
 class Setting(NamedTuple):
-    """A time step or a tolerance of a program."""
+    """A time step or a tolerance for a program."""
 
     words: str
-    call: Callable[..., Outcome]  # takes output=True or False
+    call: Callable[..., Outcome]  # called with output=True or output=False
 
 
 class Peer(NamedTuple):
-    """A program whose results converge, with its coarser settings and its finest setting as
-    reference."""
+    """A program whose results converge, with a list of settings and its finest setting, which
+    serves as the reference."""
 
     name: str
     settings: Sequence[Setting]
@@ -30,7 +30,7 @@ class Peer(NamedTuple):
 
 
 class Tried(NamedTuple):
-    """The result with one setting."""
+    """The outcome of trying one setting."""
 
     words: str
     error: float  # relative to the finest setting; inf if the run failed or cannot be compared
@@ -38,15 +38,15 @@ class Tried(NamedTuple):
 
 
 class Choice(NamedTuple):
-    """The chosen setting, and all settings that were tried."""
+    """The chosen setting, and the outcomes of all settings that were tried."""
 
     setting: Setting
     tried: list[Tried]
 
 
 def error(found: Outcome, truth: Outcome) -> float:
-    """Return the largest difference between inner loads over all balls and samples, relative to the
-    largest load."""
+    """Return the largest difference between inner loads over all balls and samples, as a fraction
+    of the largest load."""
     if found.loads is None or truth.loads is None or found.loads.shape != truth.loads.shape:
         return np.inf
     return float(np.abs(found.loads - truth.loads).max() / truth.loads.max())

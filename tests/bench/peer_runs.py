@@ -2,8 +2,8 @@
 """Run a 6208 in stock LIGGGHTS, Exudyn and Raceway for peers.py, and compare the runs with the
 exact static load.
 
-Runs with `output` write the data that a user would want to see, every PERIOD unless stated
-otherwise. Runs without output write nothing, and only their cost is used.
+Runs with `output` write the data that a user would want, every PERIOD unless stated otherwise. Runs
+without output write nothing; only their cost is used.
 """
 
 import json
@@ -27,7 +27,7 @@ from host import tables  # noqa: E402
 DECKS = Path("tests/bench/peers")
 OUT = Path("build/bench/peers")
 LOAD, SPEED = 5000.0, 50.0  # N along -y, rad/s
-PERIOD = 1.76e-4  # s between samples, about 200 samples per ball pass
+PERIOD = 1.76e-4  # s, time between samples; there are about 200 samples per ball pass
 PASSES = 8  # number of ball passes in Raceway's runs
 NAMES = (
     "balls",
@@ -54,7 +54,7 @@ STIFFNESS = [
     for side in (INNER, OUTER)
 ]
 IN_SERIES = sum(k ** (-2 / 3) for k in STIFFNESS) ** -1.5
-BOTH_ALIKE = 2**1.5 * IN_SERIES  # stiffness of two equal contacts with IN_SERIES in series
+BOTH_ALIKE = 2**1.5 * IN_SERIES  # two equal contacts with this stiffness have IN_SERIES in series
 SPHERE_ON_PLANE = 2 / 3 * BEARING.effective_modulus * BEARING.ball_radius**0.5
 
 
@@ -63,8 +63,8 @@ PASS = 4 * np.pi / (BEARING.balls * SPEED * (1 - DATA["ball_diameter"] / (2 * PI
 
 
 class Sample(NamedTuple):
-    """Values at one instant: the displacement (2,) of the inner ring in m, the positions (n, 2) of
-    the balls in m, and their inner loads (n,) in N."""
+    """Values at one instant: the displacement of the inner ring (2,) in m, the positions of the
+    balls (n, 2) in m, and their inner loads (n,) in N."""
 
     shift: np.ndarray
     balls: np.ndarray
@@ -72,10 +72,10 @@ class Sample(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """The result of one run: its cost, and the load of the ball nearest the load line in comparison
-    with the exact theory (see `judge`)."""
+    """The result of one run: its cost, and the load on the ball nearest the load line relative to
+    the exact theory (see `judge`)."""
 
-    cost: float  # wall time in s per simulated s
+    cost: float  # wall seconds per simulated second
     step: float  # s
     simulated: float  # s
     same_shift: float = np.nan
@@ -87,12 +87,12 @@ class Outcome(NamedTuple):
 
 
 class Failure(Exception):
-    """A peer did not run; the text states why."""
+    """A program did not run; the text states why."""
 
 
 def exact_shift():
-    """Return the exact displacement (m) of the inner ring towards the load when one ball is on the
-    load line."""
+    """Return the exact displacement (m) of the inner ring in the direction of the load when one
+    ball is on the load line."""
     rest = static.equilibrium(BEARING, LOAD, load_azimuth=-np.pi / 2, phase=-np.pi / 2)
     load, _ = exact(rest.shift[:2], np.stack([np.cos(rest.azimuth), np.sin(rest.azimuth)], 1))
     if np.abs(load - rest.inner.load).max() > 1e-6 * LOAD:
@@ -101,11 +101,12 @@ def exact_shift():
 
 
 def exact(shift, balls):
-    """Return (loads, components), each (n,) in N: the exact static loads of balls at given
-    positions for a given displacement of the ring, and their components along the displacement.
+    """Return two arrays (n,) in N: the exact static loads on balls at given positions for a given
+    displacement of the ring, and the components of these loads along the displacement.
 
-    Without clearance and axial load, the two contacts of a ball act in series with K = (K_i^-2/3 +
-    K_o^-2/3)^-3/2, and are compressed by the approach of the raceways at its azimuth.
+    If there is neither clearance nor axial load, the two contacts of a ball act in series with K =
+    (K_i^-2/3 + K_o^-2/3)^-3/2, and are compressed by the approach of the raceways at the ball's
+    azimuth.
     """
     along = balls / np.linalg.norm(balls, axis=1)[:, None] @ shift
     return IN_SERIES * np.maximum(along, 0) ** 1.5, along / np.linalg.norm(shift)
@@ -114,9 +115,10 @@ def exact(shift, balls):
 def judge(samples, cost, step, simulated):
     """Return the `Outcome` of one run, from medians over its samples.
 
-    same_shift is the load of the ball with the largest theoretical load, divided by the exact load
-    at the ring's position, minus one; low and high are its 5 % and 95 % quantiles. same_load is
-    that ball's fraction of the load on the ring, divided by the exact fraction, minus one.
+    same_shift is the load on the ball with the largest theoretical load, divided by the exact load
+    for the ring's position, minus one; low and high are its 5 % and 95 % quantiles. same_load is
+    the fraction of the ring's load that this ball carries, divided by the exact fraction, minus
+    one.
     """
     ratio, part = [], []
     for shift, balls, load in samples:
@@ -142,15 +144,16 @@ def judge(samples, cost, step, simulated):
 
 
 def whole(samples):
-    """Return the loads (samples, balls) in N, or None if balls were lost."""
+    """Return the loads in N, shape (samples, balls), or None if balls were lost."""
     loads = [sample.load for sample in samples]
     return np.array(loads) if len({len(row) for row in loads}) == 1 else None
 
 
 def host(program, deck, **variables):
-    """Run a deck and return the printed text. Raise `Failure` with the message of the host."""
+    """Run a deck and return the printed text. Raise `Failure` with the message of the host if the
+    run fails."""
     words = [w for name, value in variables.items() for w in ("-var", name, str(value))]
-    # line-buffered, because the host aborts without flushing and its last message would be lost
+    # line-buffered, because the host aborts without flushing, and its last message would be lost
     done = subprocess.run(
         ["stdbuf", "-oL", program, "-in", deck, "-log", "none", *words],
         cwd=ROOT,
@@ -166,13 +169,13 @@ def host(program, deck, **variables):
 
 
 def loop_time(text):
-    """Return the wall time in s of the last run in a deck, taken from its log."""
+    """Return the wall time in s of the last run of a deck, read from its log."""
     return float(re.findall(r"Loop time of (\S+) on", text)[-1])
 
 
 def cylinders(young, step=1e-6, output=True):
-    """Run stock LIGGGHTS with smooth cylinders and with the ring at the exact displacement, after
-    the balls have settled for 0.1 s."""
+    """Run stock LIGGGHTS with smooth cylinders and the ring at the exact displacement, after the
+    balls have settled for 0.1 s."""
     every = round(PERIOD / step)
     steps = 2000 * every
     text = host(
@@ -196,7 +199,7 @@ def cylinders(young, step=1e-6, output=True):
 
 
 def tori(mesh, steps, edges, step=4e-7):
-    """Run stock LIGGGHTS with triangle meshes and with the ring at the exact displacement."""
+    """Run stock LIGGGHTS with triangle meshes and the ring at the exact displacement."""
     every = 20
     text = host(
         "liggghts",
@@ -222,8 +225,8 @@ def tori(mesh, steps, edges, step=4e-7):
 
 
 def exudyn(stiffness, exponent, friction, step, output=True):
-    """Run Exudyn's bearing under the load; the damping and the sliding speed of full friction are
-    those of Exudyn's bearing test."""
+    """Run Exudyn's bearing under the load, with the damping and the full-friction sliding speed
+    from Exudyn's bearing test."""
     case = {
         "stiffness": stiffness,
         "exponent": exponent,
@@ -234,8 +237,8 @@ def exudyn(stiffness, exponent, friction, step, output=True):
         "speed": SPEED,
         "step": step,
         "ramp": 3e-3,
-        # a whole number of periods, so that all steps that divide a period are sampled at the same
-        # times
+        # a whole number of periods, so that samples are at the same times for all steps that divide
+        # a period
         "settle": 114 * PERIOD,
         "window": 400 * PERIOD,
         "period": PERIOD,
@@ -290,8 +293,8 @@ def raceway(name, output=True, **variables):
 
 
 def precision(name, output=True, **variables):
-    """Run Raceway with film, friction and cage from a fixed starting time, so that settings can be
-    compared ball by ball."""
+    """Run Raceway with film, friction and cage from a fixed starting time, so that the results with
+    different settings can be compared ball by ball."""
     text = host(
         "build/liggghts",
         "tests/bench/in.precision",
@@ -312,7 +315,7 @@ def precision(name, output=True, **variables):
 
 
 def recorded(folder):
-    """Return the samples in a record of Raceway."""
+    """Return the samples in a record of a Raceway run."""
     with xr.open_dataset(folder / "record.nc", decode_times=False) as record:
         load = np.nan_to_num(record["load"].sel(raceway="inner").values)
         inner = list(record["ring_raceway"].values).index(INNER)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare a 6208 under 5 kN in several programs, and write build/bench/peers.rst:
+"""Compare several programs for a 6208 under 5 kN, and write build/bench/peers.rst:
 
     python tests/bench/peers.py [rounds]
 
 The programs are stock LIGGGHTS with smooth cylinders and with triangle meshes (decks in
 tests/bench/peers), Exudyn's ball bearing, and Raceway, both with its implicit integrator and with
 velocity Verlet and the friction law that suits it. Programs whose results converge first try a list
-of settings, and then run with the best one. Every round runs all programs, with and without output,
-so that a drift of the machine affects all of them.
+of settings, and are then run with the best one. Every round runs all programs, with and without
+output, so that a drift in the speed of the machine affects all of them.
 """
 
 import statistics
@@ -47,15 +47,15 @@ from work_precision import SPRING
 
 ROUNDS = 3
 MESHES = {"180x8": (180, 8), "360x16": (360, 16), "720x32": (720, 32)}
-# rad, extent of the meshed groove on either side of its bottom; the contact reaches 18 degrees at 5
-# kN
+# rad, extent of the meshed groove on either side of its bottom; at 5 kN, the contact extends to 18
+# degrees
 REACH = np.radians(40)
 SECANT = BOTH_ALIKE * (exact_shift() / 2) ** 0.5  # N/m, stiffness of two equal linear contacts
 FITTED = BEARING.young * BOTH_ALIKE / SPHERE_ON_PLANE
 SHARP, SMOOTH = "curvature 0.25", "curvature 20 curvature_tolerant yes"
-# On the tori, a ball passes two to four facets before it escapes, whatever the size of the facets.
-# With longer steps, balls escape earlier.
-SCENES = [  # name, function to call with or without output
+# On the tori, a ball passes two to four facets before it escapes, regardless of the size of the
+# facets. With longer steps, balls escape earlier.
+SCENES = [  # name, function that is called with or without output
     ("stock LIGGGHTS, smooth cylinders", partial(cylinders, BEARING.young)),
     ("stock LIGGGHTS, STL tori, 180 by 8 facets per ring", partial(tori, "180x8", 16000, SHARP)),
     ("STL tori, 360 by 16 facets", partial(tori, "360x16", 8000, SHARP)),
@@ -71,7 +71,7 @@ SCENES = [  # name, function to call with or without output
     ),
     ("Raceway, dry, with cage: the main deck", partial(raceway, "dry", lubricant="dry")),
 ]
-WITHOUT = {name for name, _ in SCENES if "STL" not in name}  # these are also run without output
+WITHOUT = {name for name, _ in SCENES if "STL" not in name}  # also run without output
 
 
 def fixed(call, divisor):
@@ -86,15 +86,15 @@ def verlet(step):
 
 
 def implicit(steps, tolerance):
-    """Return a setting of Raceway's implicit integrator, given the host steps per ball pass and the
-    tolerance (m). The record has 200 samples per ball pass for any step."""
+    """Return a setting of Raceway's implicit integrator for a number of host steps per ball pass
+    and a tolerance (m). The record always has 200 samples per ball pass."""
     words = f"{steps} host steps per ball pass, {float(tolerance) * 1e9:g} nm"
     return Setting(
         words,
         partial(
             precision,
             "implicit",
-            # the deck rounds the step down so that a sample has a whole number of steps
+            # the deck rounds the step down so that there is a whole number of steps per sample
             step=1.001 * PASS / steps,
             samples=steps,
             within=200 // steps,
@@ -131,7 +131,7 @@ PEERS = [  # programs whose results converge
         ),
     ),
 ]
-ATTEMPTS = [  # description, function; each is run once
+ATTEMPTS = [  # description, function to be called once
     (
         "stock LIGGGHTS, a servo that holds 5 kN on a mesh whose surface rotates",
         lambda: host("liggghts", DECKS / "in.servo", folder=OUT),
@@ -162,25 +162,25 @@ def attempt(call):
 
 
 def percent(part):
-    """Format a fraction in per cent, with two decimals if it is small."""
+    """Format a fraction in per cent, with more decimals if it is small."""
     return f"{100 * part:+.{2 if abs(part) < 0.1 else 1 if abs(part) < 1 else 0}f} %".replace(
         "-0.00", "+0.00"
     )
 
 
 def number(value):
-    """Format a number with two significant digits, or with all digits before the decimal point."""
+    """Format a number to two significant digits, or as a whole number if it is 100 or more."""
     return f"{value:.0f}" if value >= 100 else f"{value:.2g}"
 
 
 def spread(outcomes):
-    """Return the median and the range of the costs as text."""
+    """Return the median and the range of the costs as a string."""
     costs = [each.cost for each in outcomes]
     return f"{number(statistics.median(costs))} ({number(min(costs))} to {number(max(costs))})"
 
 
 def row(name, outcomes, bare):
-    """Return the table rows for a scene; `outcomes` are runs with output, and `bare` runs
+    """Return the table row for a scene, where `outcomes` are the runs with output and `bare` those
     without."""
     for why in (each for each in outcomes + bare if isinstance(each, Failure)):
         cells = ["", "", f"failed: {why}", "", "", ""]
@@ -200,7 +200,7 @@ def row(name, outcomes, bare):
 
 
 def tried_rows(peer, choice):
-    """Return the table rows for the settings that were tried for a peer."""
+    """Return table rows that list the settings tried for a peer."""
     lines = []
     for one in choice.tried:
         worth = f"{one.error:.0e}" if np.isfinite(one.error) else "stopped"
@@ -221,8 +221,8 @@ def exudyn_version():
 
 
 def page(rounds, choices, attempts):
-    """Return the page, which is peers/page.txt with the results filled in; `rounds` is {(name,
-    output): outcomes}."""
+    """Return the text of peers/page.txt with the results inserted; `rounds` maps (name, output) to
+    a list of outcomes."""
     facts = [*machine(), f"Exudyn {exudyn_version()} from PyPI, one thread"]
     names = dict.fromkeys(name for name, _ in rounds)
     table = [

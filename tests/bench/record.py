@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Compare the cost of a record with that of the host's text dumps and with that of runs without
-output: for samples within long steps, from the start to the end of the program, and for a hundred
+output. The comparison covers samples within long steps, complete runs of the program, and a hundred
 bearings. Write build/bench/record.rst.
 
     .venv/bin/python tests/bench/record.py [ROUNDS] [--print]     --print: do not write the page
 
-The runs of a round are made one after another, so that a drift of the machine affects all of them.
-Ratios are formed within a round, and their medians are used. The exit code is 1 if a ratio exceeds
-its limit.
+The runs of a round are made one after another, so that a drift in the speed of the machine affects
+all of them. Ratios are formed within each round, and their medians are used. The exit code is 1 if
+a ratio exceeds its limit.
 """
 
 import re
@@ -22,9 +22,9 @@ from typing import NamedTuple
 from deck_runs import ROOT, cost, factor, run_deck
 from machine import bench_file, machine
 
-# {rpm: smallest acceptable real-time factor of the main deck}
+# {rpm: required real-time factor of the main deck}
 SPEEDS = {47.75: 200.0, 477.5: 20.0, 9549.0: 0.6}
-# Outputs of the main deck, with one sample and with ten samples per host step.
+# output settings of the main deck, with one sample or ten samples per host step
 TEXT = {"record": "none", "dumps": "yes", "within": 1}
 RECORD, NOTHING = ({"record": record, "dumps": "no", "within": 1} for record in ("all", "none"))
 OUTPUTS = {
@@ -35,8 +35,8 @@ OUTPUTS = {
     "no output, a tenth of the steps": {**NOTHING, "within": 10},
 }
 PASSES, TEXT_PASSES = 400, 40
-AS_IT_STANDS = "record, 10 samples per step"  # the default of the main deck
-SHORT, SHORT_PASSES = "make run", 4  # name for `make run`: the main deck without any -var
+AS_IT_STANDS = "record, 10 samples per step"  # this is the default of the main deck
+SHORT, SHORT_PASSES = "make run", 4  # key for `make run`, i.e. the main deck without any -var
 FASTER, FASTER_WITHIN, COST = 8.0, {47.75: 15.0, 477.5: 15.0, 9549.0: 12.0}, 2.0
 MANY, MANY_COST = 100, 1.3
 PAGE = """\
@@ -46,9 +46,9 @@ Cost of a record
 Written by ``tests/bench/record.py`` (``make bench``), {today}.
 
 The main deck was run at 5000 N with 200 samples per ball pass, for {text_passes} passes with text
-output and for {passes} passes otherwise. *text* stands for contacts, balls and the ring table as
-dumps of the host. *record* is :doc:`../fix_bearing_record` with all columns. The motion is bitwise
-identical in the first three rows. The values are medians of {rounds} rounds.
+output and for {passes} passes otherwise. *text* refers to dumps of the host for contacts and balls,
+and its table for the ring. *record* is :doc:`../fix_bearing_record` with all columns. The motion is
+bitwise identical in the first three rows. The values are medians over {rounds} rounds.
 
 The times in the next two tables include writing the last sample to the operating system.
 
@@ -67,11 +67,11 @@ The times in the next two tables include writing the last sample to the operatin
      - required
 {ratios}
 
-The main deck with its defaults is timed from the start of the measured passes, and from the start
-of the program. The latter time includes starting the program, settling and closing the files.
-``make run`` is the row with {short} passes at 477.5 rpm: it takes {short_wall:.2f} s from the start
-to the end of the program, of which the measured passes take {short_loop:.0f} ms, without summary
-and picture. {passes} passes at 477.5 rpm take {long_wall:.2f} s from start to end.
+The main deck with its defaults is timed both from the start of the measured passes and from the
+start of the program. The latter time includes starting the program, settling and closing the files.
+``make run`` is the row with {short} passes at 477.5 rpm. Without summary and picture, it takes
+{short_wall:.2f} s from the start to the end of the program, including {short_loop:.0f} ms for the
+measured passes. {passes} passes at 477.5 rpm take {long_wall:.2f} s from start to end.
 
 .. list-table:: real-time factor of the measured passes
    :header-rows: 1
@@ -94,7 +94,7 @@ class Taken(NamedTuple):
     factor: float  # real-time factor of the measured passes
     loop: float  # s, duration of the measured passes
     wall: float  # s, from the start to the end of the program
-    whole: float  # real-time factor, if `wall` is used as the wall time
+    whole: float  # real-time factor based on `wall`
 
 
 def main_deck(folder, rpm, output):
@@ -115,7 +115,7 @@ def main_deck(folder, rpm, output):
 
 
 def many(folder, record):
-    """Return the loop time (s) of a run with a hundred bearings."""
+    """Return the loop time (s) of a run with a hundred bearings, with or without a record."""
     text = (ROOT / "inputs" / "in.many").read_text()
     text, count = re.subn(r"(?m)^dump(_modify)? table (.*&\n)*.*\n", "", text)
     assert count == 2, "in.many writes one table"
@@ -127,7 +127,7 @@ def many(folder, record):
 
 
 def measure(rounds):
-    """Return [{(rpm, output): `Taken`, "many": ratio}, ...], with one entry for each round."""
+    """Return a list with a dict {(rpm, output): `Taken`, "many": ratio} for each round."""
     results = []
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -148,7 +148,7 @@ def middle(results, rpm, output, what):
 
 
 def from_start(results):
-    """Return the rows of the table that includes the start of the program."""
+    """Return the rows of the table in which the times include the start of the program."""
     rows = []
     for output, passes in ((AS_IT_STANDS, PASSES), (SHORT, SHORT_PASSES)):
         for what, said in (("factor", "measured passes"), ("whole", "start to end of the program")):
@@ -158,7 +158,7 @@ def from_start(results):
 
 
 def ratios(results):
-    """Return [(name, {rpm: ratio}, {rpm: limit}, whether it is a lower limit), ...]."""
+    """Return a list of (name, {rpm: ratio}, {rpm: limit}, whether it is a lower limit)."""
 
     def ratio(slow, fast):
         return {

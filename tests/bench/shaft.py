@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure speed and error for a shaft on two 6208s at 3000 rpm, and write build/bench/shaft.rst.
+"""Measure the speed and error for a shaft on two 6208s at 3000 rpm; write build/bench/shaft.rst.
 
-The deck is docs/decks/in.shaft at twice its speed. Every round runs all settings. Loads are
-compared, instant by instant, with those of a run with a tolerance of 0.1 nm.
+The deck is docs/decks/in.shaft at twice its usual speed. Every round runs all settings. At each
+instant, loads are compared with those of a run with a tolerance of 0.1 nm.
 """
 
 import re
@@ -39,19 +39,19 @@ Written by ``tests/bench/shaft.py`` (``make bench``), {date}.
 Two 6208s carry the motor shaft of :doc:`../tutorial_shafts` at 3000 rpm, with unbalance, thrust and
 belt pull. A ball pass takes 5.6 ms. The table lists real-time factors, i.e. simulated time divided
 by wall time, on one core, with a record of loads and films every {sample:g} ms. The values are
-medians of {rounds} rounds. The reference has a tolerance of 0.1 nm. Errors are fractions of the
-largest load:
+medians over {rounds} rounds. The reference run has a tolerance of 0.1 nm. Errors are fractions of
+the largest load:
 
-* *mean of a ball*: load of the worst ball, averaged over {measure:g} s;
-* *mean of the largest*: largest load, averaged over time;
-* *one instant*: load of the worst ball at the worst instant.
+* *mean of a ball*: mean load over {measure:g} s, for the ball with the largest error;
+* *mean of the largest*: mean over time of the largest load;
+* *one instant*: load at one instant, for the ball and the instant with the largest error.
 
 """
 TAIL = """
 The goal was ten times real time with loads accurate to 1e-3. Two approaches were tried, and neither
-meets it. Larger tolerances first affect the loads at single instants, and then the means. Backward
-Euler with one step per 0.1 or 0.2 ms also changes the means. Lightly loaded balls limit the step,
-because they vibrate on the outer raceway as they enter and leave the load zone.
+reaches this goal. Larger tolerances first affect the loads at single instants, and then the means.
+Backward Euler with one step per 0.1 or 0.2 ms also changes the means. Lightly loaded balls limit
+the step, because they vibrate on the outer raceway as they enter and leave the load zone.
 
 """
 
@@ -95,8 +95,8 @@ def simulated(control, step, cage, folder):
 
 
 def errors(loads, truth):
-    """Return the errors (mean of a ball, mean of the largest, one instant) relative to the largest
-    load."""
+    """Return the errors (mean of a ball, mean of the largest, one instant) as fractions of the
+    largest load."""
     largest = truth.max()
     return (
         np.abs(loads.mean(axis=0) - truth.mean(axis=0)).max() / largest,

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare four ways to estimate the length of a spall from the time between entry and impact in the
-signal of a sensor on the housing, and write build/bench/spall_length.rst.
+"""Compare four methods of estimating the length of a spall from the time between entry and impact
+in the signal of a sensor on the housing, and write build/bench/spall_length.rst.
 
     .venv/bin/python tests/bench/spall_length.py [--print]     --print: do not write the page
 
@@ -25,7 +25,7 @@ from raceway.theory.bearing import INNER, OUTER  # noqa: E402
 
 TARGET = bench_file("spall_length.rst")
 MODE = dict(lubricant="vg46", integrator="vibration", housing="springs")
-SCENES = (  # bearing, N, rpm, mass of the inner ring in kg (inputs/bearings)
+SCENES = (  # bearing, load (N), rpm, mass of the inner ring (kg; inputs/bearings)
     ("6205", 500, 1797, 0.055),
     ("6205", 1000, 3000, 0.055),
     ("6208", 2000, 1500, 0.2),
@@ -41,26 +41,27 @@ Length of a spall
 
 Written by ``tests/bench/spall_length.py`` (``make bench``).
 
-The first column is the true length of the spall. The other lengths are found from the time between
-entry and impact in the acceleration of the housing, at 192 kHz and without noise
-(``raceway.passages``). They are medians over the balls that pass under the load, in mm:
+The first column is the true length of the spall. The other lengths are determined from the time
+between entry and impact in the acceleration of the housing, at 192 kHz and without noise
+(``raceway.passages``). They are medians over the balls that pass through the load zone, in mm:
 
 {table}
 
-* *half-way*: the ball keeps its load and strikes half-way, as in
+* *half-way*: the ball keeps its load and strikes half-way along the spall, as assumed in
   ``raceway.kinematics.spall_length``.
-* *static rate*: the ball leaves the raceway at the rate of the static drop; the ring does not move.
-* *two masses*: ball and ring move, as in ``raceway.spall.length``.
-* *the ball's own fall*: follows from the distance that the ball has fallen when it strikes, which
-  is read from the record. No sensor measures this distance.
+* *static rate*: the ball leaves the raceway at the rate of the static drop, and the ring does not
+  move.
+* *two masses*: both ball and ring move, as in ``raceway.spall.length``.
+* *the ball's own fall*: the length follows from the distance that the ball has fallen when it
+  strikes, which is read from the record. No sensor measures this distance.
 
-All methods except the first use the edge radius of 0.05 mm: the signal of a ball that keeps its
-load appears 0.05 mm before the middle. The largest error of *two masses* is {error:.1f} %.
+All methods except the first account for the edge radius of 0.05 mm: the signal of a ball that keeps
+its load appears 0.05 mm before the middle. The largest error of *two masses* is {error:.1f} %.
 """
 
 
 def at_static_rate(bearing, raceway, seconds, spin, load):
-    """Return the lengths (m) for a ball that leaves the raceway at the rate of the static drop."""
+    """Return the lengths (m) if the balls leave the raceway at the rate of the static drop."""
     orbit = spin * kinematics.frequencies(bearing).cage
     speed = kinematics.entrainment(bearing, spin)
     full = static.equilibrium(bearing, load, orbital_speed=orbit)
@@ -81,7 +82,7 @@ def at_static_rate(bearing, raceway, seconds, spin, load):
 
 
 def by_own_fall(run, side, raceway, found, spin):
-    """Return the lengths (m) that follow from the fall of the balls during the `Passages`
+    """Return the lengths (m) that follow from how far the balls have fallen in the `Passages`
     `found`."""
     bearing = run.tables.geometry
     speed, rolling = kinematics.entrainment(bearing, spin), bearing.effective_radii(raceway)[0]
@@ -91,7 +92,7 @@ def by_own_fall(run, side, raceway, found, spin):
     )
     x, y = (run.balls[name].transpose("time", "ball").to_numpy() for name in "xy")
     turned = 0.0
-    if side == "inner":  # take the fall relative to the ring with the spall
+    if side == "inner":  # the fall is relative to the ring with the spall
         x, y = (one - run.rings[k].to_numpy()[:, None] for one, k in ((x, "x"), (y, "y")))
         turned = run.rings["angle"].to_numpy()[:, None]
     radius, way = np.hypot(x, y), np.arctan2(y, x) - turned + np.pi / 2
@@ -100,7 +101,7 @@ def by_own_fall(run, side, raceway, found, spin):
         start, stop = int(entry / sample_s), int(np.ceil(blow / sample_s))
         ball = np.argmin(np.abs(np.angle(np.exp(1j * way[start]))))
         gone = np.flatnonzero(load[start:stop, ball] == 0)
-        if not len(gone):  # in this case, the ball kept its load
+        if not len(gone):  # the ball kept its load
             lengths.append(2 * (speed * (blow - entry) + EDGE))
             continue
         back = start + gone[0] + np.argmax(load[start + gone[0] :, ball] > 0)

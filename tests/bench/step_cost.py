@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Measure the cost of one step by feature, and of a step in a comparable scene in stock LIGGGHTS,
-and write build/bench/step_cost.rst.
+"""Measure the cost of one step for each feature, and of a step in a comparable scene in stock
+LIGGGHTS, and write build/bench/step_cost.rst.
 
-Every round runs all scenes, so that a drift of the machine affects all of them. The ratio to the
-empty step is formed within a round. The page lists medians and ranges over the rounds.
+Every round runs all scenes, so that a drift in the speed of the machine affects all of them. The
+ratio to the empty step is formed within each round. The page lists medians and ranges.
 """
 
 import re
@@ -18,7 +18,7 @@ from machine import bench_file, csv_table, machine
 ROOT = Path(__file__).resolve().parents[2]
 ROUNDS = 7
 STEPS = 200_000
-SCENES = [  # name, deck, variables, target ratio to the empty step
+SCENES = [  # name, deck, variables, target for the ratio to the empty step
     ("empty LIGGGHTS step, 20 free particles", "in.empty", {}, None),
     (
         "dry: 9 balls, two raceways, friction, free ring",
@@ -34,7 +34,7 @@ SCENES = [  # name, deck, variables, target ratio to the empty step
 
 
 def nanoseconds(deck, variables):
-    """Return the time in ns per step of the last run in a deck."""
+    """Return the time in ns per step for the last run of a deck."""
     command = [
         ROOT / "build" / "liggghts",
         "-in",

@@ -4,8 +4,8 @@ check that no point is lost if the sweep is killed half-way. Write build/bench/s
 
     .venv/bin/python tests/bench/sweep.py [--print]     --print: do not write the page
 
-Runs with one and with two processes alternate, so that a drift of the machine affects both. The
-exit code is 1 if a point was lost or was run twice.
+Runs with one process and with two processes alternate, so that a drift in the speed of the machine
+affects both. The exit code is 1 if a point was lost or run twice.
 """
 
 import csv
@@ -27,7 +27,7 @@ from machine import bench_file, machine
 ROOT = Path(__file__).resolve().parents[2]
 LOADS, SPEEDS = (1000, 2000, 5000, 10000, 20000), (100, 250, 477.5, 1000, 2000)
 CLEARANCES, OILS = (-2e-5, 0, 1e-5, 2e-5), ("mineral", "pao48")
-# ball passes per point, more than the default, so that light loads settle even at high speed
+# more ball passes per point than by default, so that light loads settle even at high speed
 PASSES, SETTLE, SAMPLES = (4, 3, 100)
 ROUNDS = 3
 WANTED = 1.8
@@ -104,20 +104,20 @@ def timed(table, folder, jobs):
 
 
 def finished(folder):
-    """Return the time at which each finished point was completed."""
+    """Return a dict that maps each finished point to the time at which it was completed."""
     return {path.parent.name: path.stat().st_mtime_ns for path in folder.glob("*/summary.json")}
 
 
 def figures(folder):
-    """Return the table of results without the columns that depend on the wall clock."""
+    """Return the table of results without the columns that contain wall-clock times."""
     return pd.read_csv(folder / "results.csv").drop(
         columns=["wall_s", "processor_s", "real_time_factor"]
     )
 
 
 def killed_half_way(table, folder, points):
-    """Return (points finished when the sweep was killed, points finished after the restart, points
-    that were run twice)."""
+    """Return the number of points that had finished when the sweep was killed, the number that had
+    finished after the restart, and the number of points that were run twice."""
     process = subprocess.Popen(
         command(table, folder, 2), cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
     )
@@ -127,7 +127,7 @@ def killed_half_way(table, folder, points):
         time.sleep(0.02)
     os.kill(process.pid, signal.SIGKILL)
     process.wait()
-    time.sleep(1.0)  # wait until the running points have stopped as well
+    time.sleep(1.0)  # the processes of the running points stop a little later
     before = finished(folder)
     timed(table, folder, 2)
     after = finished(folder)

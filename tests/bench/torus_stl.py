@@ -6,10 +6,11 @@ from raceway.theory.bearing import INNER
 
 
 def triangles(bearing, side, around, across, half_angle):
-    """Return the corners (T, 3, 3) in m of the triangles that form one groove about the z axis.
+    """Return the corners, shape (T, 3, 3), in m, of the triangles that form a groove about the z
+    axis.
 
     There are `around` facets along the ring and `across` facets across the groove, which extends
-    `half_angle` rad on either side of its bottom. Each facet consists of two triangles.
+    `half_angle` rad to either side of its bottom. Each facet consists of two triangles.
     """
     turn = 2 * np.pi * np.arange(around) / around
     angle = np.linspace(-half_angle, half_angle, across + 1)
@@ -29,7 +30,7 @@ def triangles(bearing, side, around, across, half_angle):
 
 
 def write(path, corners):
-    """Write triangles (T, 3, 3), given in m, to a file."""
+    """Write triangles, given as corners of shape (T, 3, 3) in m, to a file."""
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normal /= np.linalg.norm(normal, axis=1)[:, None]
     with open(path, "w") as file:

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Plot the error of the integrators against their cost, and write build/bench/work_precision.rst
-and the diagram.
+"""Plot the error of each integrator against its cost, and write build/bench/work_precision.rst and
+the diagram.
 
     python tests/bench/work_precision.py [rad/s ...]
 
-The error is the largest over all balls and samples of one ball pass, compared with a reference with
-the same friction law. It covers the inner and outer load (relative to the largest load), the
-orbital speed (relative to its mean) and the film (relative) for balls that carry more than 1 % of
-the largest load. The cost is the wall time per simulated second on one core, with the capacitance
-at 200 instants of a ball pass and without output, as the median of ROUNDS rounds. A round runs all
-methods of a scene.
+The error is the largest over all balls and samples of one ball pass, compared with a reference that
+uses the same friction law. It covers the inner and outer loads (relative to the largest load), the
+orbital speed (relative to its mean) and, for balls that carry more than 1 % of the largest load,
+the film thickness (relative). The cost is the wall time per simulated second on one core, as the
+median of ROUNDS rounds. These runs compute the capacitance at 200 instants of a ball pass and write
+no output. A round runs all methods for a scene.
 """
 
 import re
@@ -41,7 +41,7 @@ ROUNDS = 2
 SAMPLES = 200
 SPEEDS = (5.0, 50.0, 1000.0)
 CLEARANCES = {-0.0035: -44.1e-6, 0.0: 0.0, 0.0035: 44.1e-6}
-# colours that colour-blind readers can distinguish (Okabe and Ito)
+# colours that colour-blind readers can distinguish (from Okabe and Ito)
 STYLE = {
     "implicit, order 1": ("#0072b2", "o"),
     "implicit, order 2": ("#d55e00", "s"),
@@ -49,22 +49,22 @@ STYLE = {
     "Verlet, history spring": ("#009e73", "v"),
     "dampers implicit": ("#cc79a7", "D"),
 }
-# the friction law that suits Verlet is a spring with history, because the smoothed law acts as a
-# stiff damper
+# the friction law that suits Verlet is a spring with history; the smoothed law would act as a stiff
+# damper
 SPRING = "tangential 0.8235 0.3"
-# {rad/s: steps of Verlet in s}: the longest stable step with this clearance, and shorter steps
+# {rad/s: steps of Verlet in s}: the longest stable step at this clearance, and shorter steps
 SAME_STEPS = {50.0: (1.6e-7, 8e-8, 4e-8), 1000.0: (2e-6, 1e-6, 5e-7)}
 SPRING_STEPS = {
     5.0: (1e-6, 8e-7, 4e-7),
     50.0: (1.6e-6, 1.4e-6, 1e-6, 5e-7),
     1000.0: (3e-6, 2e-6, 1e-6, 5e-7),
 }
-# real-time factors required at errors of 1e-3 and 1e-2
+# {rad/s: real-time factors required at errors of 1e-3 and 1e-2}
 TARGETS = {5.0: (150, 300), 50.0: (20, 40), 1000.0: (1.5, 10)}
 
 
 def run(**variables):
-    """Return (wall time per simulated time, mean step) of one run of in.precision, or None if the
+    """Return (wall time per simulated time, mean step) for one run of in.precision, or None if the
     run was rejected."""
     words = [w for name, value in variables.items() for w in ("-var", name, str(value))]
     done = subprocess.run(
@@ -95,8 +95,8 @@ def run(**variables):
 
 
 def recorded(**variables):
-    """Return (loads and films (instants, 2, 9), orbital speeds (samples, 9)), or None if the run
-    was rejected."""
+    """Return (loads and films, shape (instants, 2, 9); orbital speeds, shape (samples, 9)), or None
+    if the run was rejected."""
     if run(record="yes", passes=1, **variables) is None:
         return None
     rows = np.loadtxt(ROOT / FOLDER / "contacts.txt")
@@ -112,8 +112,8 @@ def recorded(**variables):
 
 
 def error(found, truth):
-    """Return the error defined in the docstring of the module; the samples of `found` may be fewer,
-    at even spacing."""
+    """Return the error defined in the docstring of the module; `found` may have fewer, evenly
+    spaced samples."""
     truth = [there[:: (len(there) - 1) // (len(here) - 1)] for here, there in zip(found, truth)]
     peak = truth[0].max()
     loaded = (truth[0] > 0.01 * peak) & (found[0] > 0)
@@ -125,9 +125,9 @@ def error(found, truth):
 
 
 def settings(speed):
-    """Yield (method, text for the table, variables of the deck, kind of reference) for each
+    """Yield (method, text for the table, variables of the deck, type of reference) for each
     point."""
-    # the deck rounds the step down so that a sample has a whole number of steps
+    # the deck rounds the step down so that there is a whole number of steps per sample
     sample = 1.7627e-4 * 50 / speed * 1.001
     for order in (1, 2):
         for samples in (10, 20, 40, 100, 200):
@@ -183,10 +183,10 @@ def settings(speed):
 
 
 def references(scene, speed):
-    """Return ({kind: truth}, difference between the two methods). The methods are Verlet with a
-    step of 25 ns and the implicit integrator with a tolerance of 0.1 nm. At 5 rad/s, where the same
-    friction limits the steps of Verlet to nanoseconds, the methods are the implicit integrator with
-    orders 1 and 2."""
+    """Return ({type of reference: truth}, difference between the two methods). The methods are
+    Verlet with a step of 25 ns, and the implicit integrator with a tolerance of 0.1 nm. At 5 rad/s,
+    where the same friction limits the steps of Verlet to nanoseconds, the methods are the implicit
+    integrator with orders 1 and 2."""
     fine = recorded(
         **scene,
         step=1e-5 if speed < 50 else 2e-6 if speed < 1000 else 1e-7,
@@ -203,8 +203,8 @@ def references(scene, speed):
 
 
 def measure(speed, clearance):
-    """Return (rows (method, text, mean step, error, wall time per simulated second: median, least,
-    most), difference between the references)."""
+    """Return (rows, difference between the references). Each row contains the method, its text, the
+    mean step, the error, and the median, least and most wall time per simulated second."""
     scene = dict(speed=speed, clearance=clearance)
     truths, apart = references(scene, speed)
     points = []
@@ -232,7 +232,7 @@ def measure(speed, clearance):
 
 
 def slope(rows, method):
-    """Return the observed order of a method, computed from the errors and mean steps of its
+    """Return the observed order of a method, computed from the errors and mean steps with its
     coarsest and finest fixed settings."""
     points = sorted((r[2], r[3]) for r in rows if r[0] == method and r[3] and "nm" not in r[1])
     return (
@@ -255,8 +255,8 @@ def cells(method, words, step, miss, wall, least, most):
 
 
 def fastest(rows, limit, method=None):
-    """Return (real-time factor, setting) of the fastest row with at most this error, for a method
-    or for all of Raceway's implicit methods, or (nan, "none") if there is no such row."""
+    """Return (real-time factor, setting) of the fastest row with at most this error, for one method
+    or for all of Raceway's implicit methods. Return (nan, "none") if there is no such row."""
     fitting = [
         (1 / r[4], f"{r[0]}: {r[1]}")
         for r in rows
@@ -266,7 +266,7 @@ def fastest(rows, limit, method=None):
 
 
 def targets(results):
-    """Tabulate the best real-time factors of each scene at errors of at most 1e-3 and 1e-2,
+    """Tabulate the best real-time factors for each scene at errors of at most 1e-3 and 1e-2,
     together with the goals and the ratios to Verlet."""
     head = (
         "rad/s",
@@ -349,8 +349,9 @@ capacitance is computed at 200 instants per ball pass (:doc:`../fix_bearing_capa
 There is no output.
 
 The error is the largest over all balls and instants of one ball pass, compared with a reference
-with the same friction law. It covers inner and outer load (relative to the largest load), cage
-speed (relative to its mean) and film, for balls that carry more than 1 % of the largest load.
+that uses the same friction law. It covers inner and outer loads (relative to the largest load),
+cage speed (relative to its mean) and, for balls that carry more than 1 % of the largest load, the
+film.
 
 All runs use one core. The values are medians of {ROUNDS} rounds; each round runs all settings of a
 scene. Measured on {date.today()}:
@@ -370,11 +371,12 @@ scene. Measured on {date.today()}:
         "",
         *"""\
 Velocity Verlet is compared twice, each time with the fastest step whose error is at most 1e-3. The
-first ratio is the fair one: Verlet uses the friction law that suits it, a spring with history, and
-has its own reference. For the second ratio, Verlet uses the smoothed friction of the implicit step,
-which acts as a stiff damper at low sliding speed. At 50 rad/s it shortens the steps of Verlet by a
-factor of ten to twenty. At 5 rad/s the steps would be only nanoseconds long, so these cases were
-not run. At 1000 rad/s this law is not stiff, and Verlet is about as fast with either law.
+first ratio is the fair comparison: Verlet uses the friction law that suits it, a spring with
+history, and has a separate reference. For the second ratio, Verlet uses the smoothed friction law
+of the implicit step, which acts as a stiff damper at low sliding speeds. At 50 rad/s, this shortens
+the steps of Verlet by a factor of ten to twenty. At 5 rad/s, the steps would be only nanoseconds
+long, so these cases were not run. At 1000 rad/s, this law is not stiff, and Verlet is about as fast
+with either law.
 """.splitlines(),
         "",
     ] + targets(results)
@@ -401,7 +403,7 @@ not run. At 1000 rad/s this law is not stiff, and Verlet is about as fast with e
             "-" * len(title),
             "",
             (
-                f"References differ by {apart:.1e}. Observed order (error against step):"
+                f"The references differ by {apart:.1e}. Observed order (error against step):"
                 f" {orders or 'too few points'}."
             ),
             "",

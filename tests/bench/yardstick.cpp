@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A fixed amount of work of the same kind as in the contact law and the Newton iteration: powers,
-// roots and small linear systems. The pages of `make bench` state its time, so that pages from
-// different days and machines can be compared by dividing their times by this time.
+// A fixed amount of work, similar to that in the contact law and the Newton iteration: powers,
+// roots and small linear systems. The pages of `make bench` state the time it takes, so that pages
+// from different days and machines can be compared by dividing their times by it.
 
 #include <chrono>
 #include <cmath>
@@ -42,5 +42,5 @@ int main()
     x = 1.0 + std::fabs(solved(a, b));
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  std::printf("%.4f %.15g\n", seconds.count(), x);    // x is used, so the work is not omitted
+  std::printf("%.4f %.15g\n", seconds.count(), x);    // x is used, so the work is done
 }

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run the examples in the documentation: the decks in docs/decks, every block under a heading
-"Examples", and every Python or console block, in the order in which they appear on the page.
+"""Run the examples in the documentation: the decks in docs/decks, every block under the heading
+"Examples", and every Python or console block, in the order in which they appear on their page.
 
 A block under "Examples" is tried in docs/decks/in.ehd, where it replaces the lines with the same
-commands. If it has commands of named bearings, inputs/in.6208 with one ball pass is used instead.
-The Python and console blocks of a page run in a folder that looks like a built tree. It must not
-contain a run of an earlier build, because a finished run is not replaced by default. The blocks may
-use the run of `make run`, except on pages that make this run.
+commands. If the block contains commands for named bearings, it is tried in inputs/in.6208 with one
+ball pass instead. The Python and console blocks of a page are run in a folder that looks like a
+built tree. This folder must not contain a run of an earlier build, because a finished run is not
+replaced by default. The blocks may use the run of `make run`, except on pages that make this run
+themselves.
 """
 
 import os
@@ -33,13 +34,13 @@ FILM_ONLY = (
 NAMED = ("bearing ", "run_bearing ", "bearing_dump ", "pair_style bearing ")
 SHORT = {"out": "out", "settle": 1, "passes": 1, "lubricant": "vg46"}
 MAIN = Path("build/run/6208")
-# pages that make the main run, or do not need it
+# pages that make the main run themselves, or do not need it
 APART = ("tutorial.rst", "tutorial_twin.rst", "sweep.rst", "gallery.rst")
 UNDERLINE = re.compile(r"^([=\-~^\"])\1{3,}$")
 
 
 def joined(text):
-    """Return the commands of a deck, with continued lines joined and without comments and blank
+    """Return the commands of a deck, with continued lines joined, and without comments and blank
     lines."""
     text = re.sub(r"&\s*\n\s*", "", text)
     return [
@@ -50,7 +51,7 @@ def joined(text):
 
 
 def blocks(page):
-    """Return the literal blocks in the sections of a page that are headed Examples."""
+    """Return the literal blocks in those sections of a page that have the heading Examples."""
     lines, inside, block = page.read_text().splitlines(), False, []
     for here, below in zip(lines, lines[1:] + [""]):
         if UNDERLINE.match(below):
@@ -65,8 +66,8 @@ def blocks(page):
 
 
 def session(page):
-    """Return the Python and console blocks of a page in order as (kind, text). Blocks are fenced in
-    Markdown and indented in rST."""
+    """Return the Python and console blocks of a page, in order, as a list of (type, text). Blocks
+    are fenced in Markdown and indented in reStructuredText."""
     text = page.read_text()
     pattern = (
         r"^```(python|console)\n((?:(?!```).*\n)*)```$"
@@ -85,7 +86,7 @@ def session(page):
 
 def not_printed(block, output):
     """Return a message with the first line of a transcript that is missing from the output, or an
-    empty string."""
+    empty string if no line is missing."""
     printed = (line.rstrip() for line in output.splitlines())
     for line in block.splitlines():
         if line.strip() in ("", "...") or line.startswith("$ "):
@@ -96,14 +97,14 @@ def not_printed(block, output):
 
 
 def run_session(page, folder):
-    """Run the blocks of a page in `folder`, and yield one string per block: a message if the block
-    failed, otherwise an empty string.
+    """Run the blocks of a page in `folder`, and yield one string for each block: a message if the
+    block failed, otherwise an empty string.
 
-    Console lines after "$ " are commands of `.venv/bin`; the lines that follow must appear in their
-    output, in that order.
+    Console lines that begin with "$ " are commands of `.venv/bin`; the lines that follow must
+    appear in the output of these commands, in this order.
     """
     paths = dict(os.environ, PATH=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
-    # containers run as root, which Open MPI rejects unless these variables are set
+    # containers run as root, which Open MPI rejects unless these environment variables are set
     paths |= dict.fromkeys(("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"), "1")
     for number, (kind, block) in enumerate(session(page), 1):
         transcript = block.startswith("$ ")
@@ -144,7 +145,7 @@ def run_console(commands, folder, paths):
 
 
 def key(line):
-    """Return the key of a line; lines with equal keys are taken to be the same command."""
+    """Return the key of a line; lines with equal keys are assumed to be the same command."""
     word = line.split()
     if word[0] in ("pair_style", "create_bearing", "timestep", "run", "bearing", "run_bearing"):
         return word[0]
@@ -159,7 +160,7 @@ def key(line):
 
 
 def base_of(block):
-    """Return the lines of the deck in which a block is to be tried."""
+    """Return the lines of the deck in which a block is tried."""
     if not any(line.startswith(NAMED) or " bearing/heat" in line for line in block):
         return joined((DOCS / "decks/in.ehd").read_text())
     short = [f"variable {name} index {value}" for name, value in SHORT.items()]
@@ -167,7 +168,7 @@ def base_of(block):
 
 
 def deck(base, block):
-    """Return the lines of `base`, in which those of `block` replace the lines with the same
+    """Return the lines of `base`, where the lines of `block` replace those with the same
     commands."""
     if any("bearing/hertz" in line for line in block):
         base = [
@@ -177,7 +178,7 @@ def deck(base, block):
         ]
     if any(
         "bearing/contact" in line for line in block
-    ):  # this compute does not have the columns that the dump writes
+    ):  # such a compute does not have the columns that the dump writes
         base = [line for line in base if not line.startswith(("dump ", "dump_modify "))]
     if any("axis x" in line for line in block):
         base = [line.replace("x free y free", "y free z free") for line in base]
@@ -219,8 +220,8 @@ def main_run(tmp_path_factory):
 
 @pytest.mark.parametrize("page", sorted(PAGES, key=PAGES.get, reverse=True), ids=lambda p: p.stem)
 def test_page(page, tmp_path, request):
-    """The commands and Python blocks of a page run in order, and print the output that the page
-    shows."""
+    """The commands and Python blocks of a page run in order, and their output contains what the
+    page shows."""
     for folder in ("inputs", "docs/decks"):
         shutil.copytree(ROOT / folder, tmp_path / folder)
     (tmp_path / "build").mkdir()
@@ -261,8 +262,8 @@ def beside_inputs(tmp_path):
 
 def test_decks(beside_inputs):
     """The decks run one after another in one folder, because some of them read files that earlier
-    decks wrote."""
-    gallery = (DOCS / "gallery.rst").read_text()  # this page runs the decks that it mentions
+    ones wrote."""
+    gallery = (DOCS / "gallery.rst").read_text()  # its test runs the decks that it mentions
     for path in sorted(DOCS.glob("decks/in.*")):
         if f"docs/decks/{path.name}" not in gallery:
             try_deck(joined(path.read_text()), beside_inputs)
@@ -270,5 +271,5 @@ def test_decks(beside_inputs):
 
 @pytest.mark.parametrize("lines", BLOCKS.values(), ids=BLOCKS)
 def test_block(lines, beside_inputs):
-    """Each block under "Examples" runs within its deck."""
+    """Each block under the heading "Examples" runs as part of its deck."""
     try_deck(deck(base_of(lines), lines), beside_inputs)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tests of the friction of rolling contacts in complete bearings. Velocity Verlet and the implicit
-step use the same law and agree: from rest, oscillating, loaded and nearly unloaded. Contact states
-are bitwise identical after rank changes and restarts. The shaft's power equals the sum of the
-losses."""
+step use the same law, and their results agree for bearings that start from rest, oscillate, carry a
+load or are nearly unloaded. Contact states are bitwise identical after rank changes and restarts.
+The power of the shaft equals the sum of the losses."""
 
 import re
 
@@ -52,14 +52,14 @@ SCENES = {
 
 
 def figures(folder, scene, integrator, substeps, **changes):
-    """Return means over the second half of a run."""
+    """Return the means of the results over the second half of a run."""
     simulate(folder, scene, integrator, substeps, **changes)
     return means(folder)
 
 
 def stored(folder, scene, integrator, substeps, **changes):
-    """Return the kinetic and spring energy (J) at the end of a run, without the energy of the
-    rails."""
+    """Return the kinetic energy and the spring energy (J) at the end of a run, excluding the energy
+    of the rails."""
     text = simulate(folder, scene, integrator, substeps, **changes).text
     return float(re.search(r"STORED (\S+)", text).group(1))
 
@@ -94,8 +94,8 @@ def inner_ring(run):
 
 
 def largest_difference(one, other):
-    """Return the largest relative difference between the results. Displacements are relative to the
-    largest displacement, and the spin loss is relative to the friction loss."""
+    """Return the largest relative difference between two sets of results. Displacements are
+    relative to the largest displacement, and the spin loss is relative to the friction loss."""
     most = max(abs(one[name]) for name in ("x", "y", "z"))
     scale = one | dict(x=most, y=most, z=most, spin_power=one["friction_power"])
     return max(abs(one[name] - other[name]) / abs(scale[name]) for name in one)
@@ -103,7 +103,7 @@ def largest_difference(one, other):
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_one_answer(tmp_path, scene):
-    """Loads, displacement, cage speed and friction power of both integrators agree within 1 %;
+    """Loads, displacement, cage speed and friction power with the two integrators agree within 1 %;
     halving the step of either integrator changes them by less than 0.5 %."""
     steps = SCENES[scene][-1]
     found = {
@@ -127,8 +127,9 @@ def test_one_answer(tmp_path, scene):
 
 
 def test_slip_and_spin_in_slices(tmp_path):
-    """In a 7208 at 40 degrees under combined load, the integrators agree within 1 %. Slip and spin
-    losses are smaller than with the closed-form solutions; the loads are equal."""
+    """In a 7208 with a contact angle of 40 degrees under combined load, the integrators agree
+    within 1 %. The losses due to slip and spin are smaller than with the closed-form solutions; the
+    loads are equal."""
     inner = "x free y free z free rx free ry free spin speed 50 force 0 -500 4000 ramp 3.0e-3"
     case = dict(bearing="7208", inner=inner, samples=200)
     slices = GAP.replace("heathcote 1.0e-4", "slices 1.0e-4 1.0").replace(" spin 1.0", "")
@@ -141,7 +142,7 @@ def test_slip_and_spin_in_slices(tmp_path):
         case |= dict(out=tmp_path / name, law=law, integrator=integrator, substeps=n)
         succeed(CASE, **case)
         found[name] = means(tmp_path / name)
-        # slip and spin losses come from one sum of stresses, so their division is arbitrary
+        # slip and spin losses come from a single sum of stresses, so dividing them is arbitrary
         found[name]["friction_power"] += found[name]["spin_power"]
     closed, implicit = found["closed"], found["implicit"]
     apart = largest_difference(found["verlet"], implicit)
@@ -154,9 +155,9 @@ def test_slip_and_spin_in_slices(tmp_path):
 
 @pytest.mark.parametrize("lubricant, law, steps", [("dry", DRY, 50), ("mineral", FULL, 200)])
 def test_to_and_fro(tmp_path, lubricant, law, steps):
-    """The ring rotates at 50 cos(2 pi t/20 ms) rad/s, and the balls reverse their motion. The
-    integrators agree within 2 % in friction power and within 0.01 % in radial displacement, and
-    there is no drift."""
+    """The ring rotates at 50 cos(2 pi t/20 ms) rad/s, so that the balls reverse their motion. The
+    integrators agree within 2 % in the friction power and within 0.01 % in the radial displacement,
+    and there is no drift."""
     found = {}
     for integrator, n in (("implicit", 1), ("verlet", steps)):
         succeed(
@@ -180,7 +181,8 @@ def test_to_and_fro(tmp_path, lubricant, law, steps):
 
 @pytest.mark.parametrize("integrator, steps", [("implicit", 1), ("verlet", 50)])
 def test_standing_bearing_sticks(tmp_path, integrator, steps):
-    """A bearing that is loaded at rest comes to rest: no power is dissipated and no ball rolls."""
+    """A bearing that is loaded while it stands comes to rest: no power is dissipated and no ball
+    rolls."""
     succeed(
         CASE,
         out=tmp_path,
@@ -209,9 +211,10 @@ def test_standing_bearing_sticks(tmp_path, integrator, steps):
     ],
 )
 def test_power_is_the_sum_of_losses(tmp_path, integrator, steps, scene, bound):
-    """Over the third ball pass the work of shaft and loads equals the losses of all parts plus the
-    energy stored in bodies and springs. Under combined load the centres of the balls differ in
-    speed and compress the cage more in each pass, which stores 3 mJ per pass, 1.7e-3 of the losses.
+    """During the third ball pass, the work of shaft and loads equals the losses in all parts plus
+    the energy that is stored in bodies and springs. Under combined load, the speeds of the balls
+    differ, and the balls compress the cage more in each pass, which stores 3 mJ per pass, or 1.7e-3
+    of the losses.
     """
     cage = 19.775 if scene.startswith("radial") else 20.222
     case = dict(sample=2 * np.pi / 9 / cage / 350)
@@ -236,8 +239,8 @@ def test_power_is_the_sum_of_losses(tmp_path, integrator, steps, scene, bound):
 @pytest.mark.parametrize("load", ["radial", "combined"])
 @pytest.mark.parametrize("speed", [5, 50, 1000])
 def test_work_is_dissipated_or_stored(tmp_path, speed, load):
-    """The energy balance of the implicit step closes over two ball passes with all parts under a
-    ramped load, i.e. the step itself adds or removes less than 1e-3 of the losses."""
+    """With all parts of the law and a ramped load, the energy balance of the implicit step closes
+    over two ball passes, i.e. the step itself adds or removes less than 1e-3 of the losses."""
     inner = (radial(5000) if load == "radial" else COMBINED).replace("speed 50", f"speed {speed}")
     text = succeed(
         CASE,
@@ -259,7 +262,7 @@ def test_work_is_dissipated_or_stored(tmp_path, speed, load):
 @pytest.mark.parametrize("load, ramp", [(50, True), (5000, True), (5000, False)])
 @pytest.mark.parametrize("speed", [0, 0.01, 1, 50])
 def test_balance_at_any_speed(tmp_path, speed, load, ramp, law):
-    """The energy balance closes with film in the gap, both with and without the film branch."""
+    """The energy balance closes with a film in the gap, with and without the film branch."""
     inner = radial(load, speed) if ramp else radial(load, speed).partition(" ramp")[0]
     control = "tolerance 1e-9 energy yes"
     text = succeed(CASE, out=tmp_path, law=law, inner=inner, start=speed, control=control).text
@@ -270,9 +273,9 @@ def test_balance_at_any_speed(tmp_path, speed, load, ramp, law):
 
 @pytest.mark.parametrize("law, lubricant", [("friction constant 0", "dry"), ("gap 1", "mineral")])
 def test_the_own_loss_vanishes_with_the_tolerance(tmp_path, law, lubricant):
-    """Contact angles grow under a ramped axial load. The stiffness of a contact depends on its
-    angle, and no force does work when the angle changes. If the energy balance neglected this,
-    5.5e-4 and 2e-4 of the work would be missing at any tolerance."""
+    """Contact angles grow under an axial load that is ramped up. The stiffness of a contact depends
+    on its angle, but no force does work when the angle changes. If the energy balance neglected
+    this, 5.5e-4 and 2e-4 of the work would be missing, regardless of the tolerance."""
     inner = "x free y free z free spin speed 50 force 0 -100 20000 ramp 3.0e-3"
     shares = []
     for tolerance in (1e-9, 1e-11):
@@ -281,13 +284,13 @@ def test_the_own_loss_vanishes_with_the_tolerance(tmp_path, law, lubricant):
         text = succeed(CASE, out=tmp_path / str(tolerance), **case).text
         work, own, *_ = map(float, re.search(r"ENERGY (.*)", text).group(1).split())
         shares.append(abs(own) / work)
-    # steps of order 2 decrease with the square root of the tolerance, and the energy lost in them
-    # decreases with the tolerance or with the step
+    # steps of order 2 scale with the square root of the tolerance, and the energy lost in them
+    # scales with the tolerance or with the step
     assert shares[0] < 1e-4 and shares[1] < 0.15 * shares[0]
 
 
 def sum_of_loads(ring, scene):
-    """Return the mean power (W) of the loads on the moving ring."""
+    """Return the mean power (W) of the loads that act on the moving ring."""
     load = (0.0, -5000.0, 0.0) if scene.startswith("radial") else (0.0, -2000.0, 10000.0)
     return sum(float(ring[f"v{k}"].mean()) * f for k, f in zip("xyz", load, strict=True))
 
@@ -312,9 +315,9 @@ def test_ranks_and_restarts_to_the_bit(tmp_path, integrator, steps, samples):
 
 
 def test_step_limit_is_the_spring_s(tmp_path):
-    """Two tangential springs turn a ball, so the step limit is 2 sqrt((2/7) m/(2 k_t)), 5.6 us at
-    2.4 kN. A 4 us step is stable at 48, 477.5 and 9549 rpm, where the slip law alone would allow 24
-    ns to 5 us."""
+    """Two tangential springs act on a ball, so the step limit is 2 sqrt((2/7) m/(2 k_t)), which is
+    5.6 us at 2.4 kN. A step of 4 us is stable at 48, 477.5 and 9549 rpm, where the slip law alone
+    would require steps of 24 ns to 5 us."""
     powers = []
     for speed, substeps in ((5, 25), (50, 25), (1000, 25)):
         out = tmp_path / str(speed)
@@ -331,5 +334,6 @@ def test_step_limit_is_the_spring_s(tmp_path):
         run = raceway.open(out)
         powers.append(float(run.bearing["friction_power"][-100:].mean()) / speed)
         assert float(run.bearing["friction_power"][-100:].min()) > 0
-    # Coulomb's torque does not depend on the speed, except for centrifugal loads
+    # Coulomb's friction torque does not depend on the speed, apart from the effect of centrifugal
+    # loads
     assert powers == pytest.approx([powers[0]] * 3, rel=0.05)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The errors in contact states (film branch and tangential springs) of a rotating bearing decrease
-at the order of the implicit step."""
+"""The errors in the contact states (film branch and tangential springs) of a rotating bearing
+decrease with the order of the implicit step."""
 
 import numpy as np
 import raceway
@@ -29,8 +29,8 @@ def contacts(folder, step):
 
 def test_second_order(tmp_path):
     """A load of 3 kN is applied within 0.3 ms at 1000 rad/s. The largest error in any contact is
-    determined by comparison with a run with an eighth of the smallest step. It decreases to a
-    sixteenth if the step is reduced to a quarter."""
+    determined by comparison with a run at an eighth of the smallest step. Reducing the step to a
+    quarter reduces this error to a sixteenth."""
     truth = contacts(tmp_path / "truth", 1.25e-7)
     errors = {name: [] for name in NAMES}
     for step in (4e-6, 2e-6, 1e-6):

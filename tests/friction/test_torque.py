@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the friction torque of a 6208 with the models `full` against statics, part by part, and
-against SKF's formula. No constant is fitted."""
+"""Tests of the friction torque of a 6208 with the models `full`, part by part against statics, and
+as a whole against SKF's formula. No constant has been fitted."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from raceway.theory.operating_point import figures
 
 @pytest.mark.parametrize("rpm", [477.5, 1910, 9549])
 def test_torque(tmp_path, rpm):
-    """The friction torque at 5 kN and 0.04 Pa s is within 35 % of SKF's formula."""
+    """At 5 kN and 0.04 Pa s, the friction torque is within 35 % of the value from SKF's formula."""
     succeed("inputs/in.6208", out=tmp_path, models="full", rpm=rpm, passes=2)
     run = summary(RunTables(tmp_path))
     point = {"load": 5000.0, "rpm": rpm, "models": "full"}
@@ -27,7 +27,7 @@ def test_torque(tmp_path, rpm):
 
 
 def test_torque_is_steady(tmp_path):
-    """At 9549 rpm the torque depends neither on the time at which it is measured nor on the
+    """At 9549 rpm, the torque depends neither on the time at which it is measured nor on the
     tolerance. Means over two ball passes scatter by half a per cent."""
     torques = []
     for settle, tolerance in ((1, 1e-9), (40, 1e-9), (1, 1e-10)):

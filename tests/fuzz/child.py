@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs a command of `raceway` in a forked child process, which avoids starting Python for each
+"""Run a command of `raceway` in a forked child process, which avoids starting Python for each
 command and protects the fuzzer from crashes."""
 
 import os
@@ -16,13 +16,13 @@ from pathlib import Path
 from fuzz.lab import Finding
 from raceway import cli, data, electric, export, runs, theory
 
-# modules are imported only once, not in every child
+# import the modules once here, and not in every child
 for package in (data, electric, export, runs, theory):
     for module in pkgutil.iter_modules(package.__path__, f"{package.__name__}."):
         import_module(module.name)
 
-# the limit refers to processor time, which other work on the machine does not affect; the limit of
-# the wall time is far above it
+# the limit refers to processor time, which does not depend on other work on the machine; the limit
+# of the wall time is much longer
 SECONDS, WALL_S, BYTES = 20, 600, 6 * 2**30
 
 
@@ -34,7 +34,7 @@ class End:
 
 
 def raceway(words, folder):
-    """Run `raceway WORDS` in `folder`. A traceback, a signal or a hang counts as a finding."""
+    """Run `raceway WORDS` in `folder`. A traceback, a signal or a hang is a finding."""
     pid = os.fork()
     if pid == 0:
         _inside(words, folder)

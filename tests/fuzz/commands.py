@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Command lines of `raceway`, drawn at random from its own parsers, including their options,
-choices and ranges."""
+"""Command lines of `raceway`, drawn at random from its own parsers, with their options, choices and
+ranges."""
 
 import argparse
 import inspect
@@ -11,7 +11,7 @@ from raceway import cli
 
 
 def line(draw, files):
-    """Return the words of a command. `files`: {"DIR": folders of runs, "SHAFT": ...}."""
+    """Return the words of a command, where `files` is {"DIR": folders of runs, "SHAFT": ...}."""
     words = [
         str(draw.choice(files[word])) if word in files else word
         for word in draw.choice(grammar("commands")["lines"]).split()
@@ -21,7 +21,7 @@ def line(draw, files):
     for action in draw.sample(options, min(len(options), draw.choice([0, 0, 1, 1, 2, 3]))):
         if not set(action.option_strings) & set(words):
             words += [draw.choice(action.option_strings), *_values(draw, action)]
-    if draw.chance(0.3):  # a second value for an option that the line already contains
+    if draw.chance(0.3):  # give a second value for an option that the line already contains
         given = [k for k, word in enumerate(words) if word.startswith("--") and k + 1 < len(words)]
         for k in draw.sample(given, min(1, len(given))):
             action = PARSERS[name]._option_string_actions.get(words[k])
@@ -58,8 +58,8 @@ def _value(draw, action, metavar):
 
 
 def _between(draw, low, high):
-    """Return a random number from a range: half of the draws are small, and some are at the
-    limits.
+    """Return a random number from a range. Half of the draws are small, and some are at the limits
+    of the range.
     """
     if draw.chance(0.1):
         return f"{draw.choice([low, high]):.17g}"
@@ -76,5 +76,5 @@ def _parsers():
 
 
 PARSERS = _parsers()
-# options that start programs or refer to locations outside the case's folder
+# options that start programs or refer to paths outside the folder of the case
 KEPT = ("help", "out", "program", "deck", "slurm", "inputs", "table", "reduced", "file")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Writes a scene as a deck for any host, placed by a pose."""
+"""Write a scene, in a given orientation, as a deck for any host."""
 
 from fuzz.pose import LAB, UPRIGHT
 
@@ -15,9 +15,9 @@ SUMS = "contacts loaded load_inner load_outer pressure".split()
 
 
 def deck(scene, pose=UPRIGHT, split=None, cuts="* * *", more=(), restart=None):
-    """Return the text of the deck. `split`: steps of the first of two runs. `more`: commands that
-    must not affect the motion. `restart`: write a file after the first run ("write"), or start from
-    one ("read")."""
+    """Return the text of the deck. `split` is the number of steps in the first of two runs. `more`
+    are commands that must not affect the motion. `restart` is "write" to write a file after the
+    first run, or "read" to start from this file."""
     total = scene["every"] * scene["samples"]
     lines = [*_world(scene, pose, cuts)]
     if restart == "read":
@@ -92,11 +92,11 @@ def _fixes(scene, pose):
     if scene["cage"]:
         yield "fix rails cage bearing/cage 4"
     for number, (ring, kind, azimuth, *rest) in enumerate(scene["flaws"]):
-        # for a wave, the order takes the place of the azimuth; the last word is the phase at
+        # in a wave, the order takes the position of the azimuth, and the last word is the phase at
         # azimuth 0
         if kind == "wave":
             order, (amplitude, phase) = azimuth, rest
-            # cos(n phi + p) with phi = sense (lab - offset)
+            # cos(n phi + p), where phi = sense (lab - offset)
             phase = pose.sense * phase - order * pose.azimuth(0)
             rest = [order, amplitude, phase]
         else:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Random choices for a case, drawn from its seed."""
+"""Random choices for a case, drawn with the seed of the case."""
 
 import math
 import random
@@ -13,17 +13,17 @@ GRAMMAR = Path(__file__).parent / "grammar"
 
 @cache
 def grammar(name):
-    """Return the contents of a file in grammar/. YAML reads 1e-3 as text, so numbers there have a
-    decimal point."""
+    """Return the contents of a file in grammar/. YAML reads 1e-3 as a string, so numbers in these
+    files have a decimal point."""
     return yaml.safe_load((GRAMMAR / f"{name}.yaml").read_text())
 
 
 class Draw(random.Random):
-    """Random numbers in the intervals of a grammar."""
+    """A generator of random numbers from the intervals in a grammar."""
 
     def number(self, interval):
-        """Return a value from [least, most] or [log, least, most], rounded to four digits, or a
-        whole number if both limits of [least, most] are whole."""
+        """Return a value from [least, most] or [log, least, most], rounded to four digits. If both
+        limits of [least, most] are whole numbers, the value is also a whole number."""
         if interval[0] == "log":
             low, high = map(math.log, interval[1:])
             return float(f"{math.exp(self.uniform(low, high)):.4g}")

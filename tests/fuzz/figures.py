@@ -1,20 +1,20 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Output of a run in the bearing's own frame."""
+"""Read the output of a run, in the frame of the bearing."""
 
 import numpy as np
 from fuzz.deck import ATOMS, contact_columns, ring_columns
 from host import tables
 
-AXIAL = {"omegax", "tilt_1", "mx"}  # first components of the axial vectors
+AXIAL = {"omegax", "tilt_1", "mx"}  # first components of axial vectors
 VECTORS = ("x", "vx", "omegax", "fx", "mx", "ax")
 
 
 def read(folder, scene, pose):
-    """Return {table: (columns, array (samples, rows, columns))}, in the frame and order of the
-    scene."""
+    """Return a dict that maps each table to (columns, array (samples, rows, columns)), in the frame
+    and the order of the scene."""
     balls, cage = scene["balls"], bool(scene["cage"])
-    # the number of contacts varies, so there is one row for every ball, raceway and groove, with 0
-    # without contact
+    # the number of contacts varies, so there is one row for every ball, raceway and groove, which
+    # contains 0 if there is no contact
     columns = contact_columns(scene)
     contacts = []
     for _, rows in tables(folder / "contacts.dump"):
@@ -41,7 +41,7 @@ def read(folder, scene, pose):
 
 
 def _order(balls, cage, pose):
-    """Return the index in the lab of every atom, in the order of the scene."""
+    """Return the index in the lab frame of every atom, in the order of the scene."""
     step = np.arange(balls)
     if pose.sense < 0:
         own_balls, own_cage = (-step) % balls, (-step - 1) % balls
@@ -86,8 +86,8 @@ def _tilts(rings, names, pose):
 
 
 def differences(first, second, tolerance, start=1):
-    """Return (share, table, column, sample) for columns that differ by more than `tolerance` times
-    their largest value, in order of decreasing difference."""
+    """Return a list of (relative difference, table, column, sample) for columns that differ by more
+    than `tolerance` times their largest value, in order of decreasing difference."""
     found = []
     for name, (columns, a) in first.items():
         b = second[name][1]
@@ -95,7 +95,7 @@ def differences(first, second, tolerance, start=1):
             a, b = _loaded(columns, a, b)
             at = columns.index("azimuth")
             b[..., at] -= 2 * np.pi * np.round((b[..., at] - a[..., at]) / (2 * np.pi))
-        if tolerance:  # at the start, rounding decides whether touching balls are in contact
+        if tolerance:  # at the start, rounding decides whether balls that just touch are in contact
             a, b = a[start:], b[start:]
         if a.shape != b.shape:
             found.append((np.inf, name, f"shape {a.shape} {b.shape}", 0))
@@ -110,15 +110,16 @@ def differences(first, second, tolerance, start=1):
 
 
 def _loaded(columns, a, b):
-    """Return the contact tables of two runs for comparison. Rounding opens and closes contacts near
-    zero load, so only the loads of these contacts are kept and all their other columns become 0."""
+    """Return the contact tables of two runs in a form that can be compared. Rounding opens and
+    closes contacts near zero load, so only the loads of these contacts are kept, and all other
+    columns are set to 0."""
     load = columns.index("load")
     light = np.minimum(a[..., load], b[..., load]) < 1e-2 * a[..., load].max(initial=0)
     kept = np.arange(len(columns)) == load
     return [np.where(light[..., None] & ~kept, 0, table) for table in (a, b)]
 
 
-# values below these limits count as zero
+# values below these limits are treated as zero
 FLOOR = {
     "x": 1e-9,
     "vx": 1e-4,
@@ -148,7 +149,7 @@ def _groups(columns):
 
 
 def finite(figures):
-    """Return the columns with NaN or infinite values."""
+    """Return the columns that contain NaN or infinite values."""
     return [
         f"{name} {column}"
         for name, (columns, table) in figures.items()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files that commands read (runs, shafts, sweeps, data sets), either intact or damaged on
+"""Write files that commands read (runs, shafts, sweeps, data sets), either intact or damaged on
 purpose.
 """
 
@@ -34,7 +34,7 @@ def runs(folder):
 
 
 def tables(folder, draw):
-    """Write copies of the shipped tables, half of them damaged."""
+    """Write copies of the tables that come with the package; half of them are damaged."""
     made = {}
     for command, sources in TABLES.items():
         for number, file in enumerate(sources):
@@ -48,7 +48,7 @@ def tables(folder, draw):
 
 
 def spoil_text(draw, text):
-    """Change a value, drop or duplicate a line, change an indent, or swap two lines."""
+    """Change a value, drop or repeat a line, change an indentation, or swap two lines."""
     lines = text.splitlines()
     for _ in range(draw.choice([1, 1, 2, 4])):
         i = draw.randrange(len(lines))
@@ -93,7 +93,7 @@ def spoil_text(draw, text):
 
 
 def damaged(draw, run, folder):
-    """Write a copy of a run in which bytes of one file are changed, cut or swapped."""
+    """Write a copy of a run in which bytes of one file have been changed, cut or swapped."""
     to = folder / "damaged"
     shutil.copytree(run, to)
     files = sorted(file for file in to.iterdir() if file.is_file() and file.stat().st_size)

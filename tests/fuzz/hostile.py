@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Decks damaged on purpose by swapping, dropping, repeating or adding words and lines. They may end
-with any message, but not with a crash, a hang, or NaN."""
+"""Run decks that are damaged on purpose by swapping, dropping, repeating or adding words and lines.
+They may end with any message, but not with a crash, a hang, or NaN."""
 
 import re
 from contextlib import suppress
@@ -98,7 +98,8 @@ def _finite(file):
 
 
 def affordable(text):
-    """Return True if the runs and steps of a deck are short; a simulated second takes minutes."""
+    """Return whether the runs and steps of a deck are short; simulating one second takes
+    minutes."""
     for word, most in (("run", 2e4), ("timestep", 1e-3)):
         for number in re.findall(rf"^{word} (\S+)", text, re.M):
             with suppress(ValueError):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the decks of a case in a separate folder and reports how each run ended."""
+"""Run the decks of a case in a separate folder, and report how each run ended."""
 
 import re
 import subprocess
@@ -12,19 +12,19 @@ from fuzz.pose import UPRIGHT
 from host import run
 
 HOSTS = {"liggghts": "liggghts", "lammps": "lammps", "plugin": "wheel", "sanitized": "sanitized"}
-# limit for a run that takes 0.1 s on an idle machine but up to a hundred times longer on a busy one
+# limit for runs that take 0.1 s on an idle machine but up to a hundred times as long on a busy one
 SECONDS = 600
 CRASH = re.compile(
     r"Segmentation|Aborted|Traceback|terminate called|AddressSanitizer|runtime error|stack smashing"
 )
 
-# errors that the physics of a longer or slightly different run can cause
+# errors that the physics may cause if a run is longer or slightly different
 LATER = re.compile(
     r"on the far side of the groove|overlapping balls: atoms"
     r"|bearing/timestep: step \S+ s exceeds what"
 )
 
-# stack frames of crashes that also occur in the host without the package
+# stack frames of crashes that also occur in the host when the package is not installed
 HOSTS_OWN = re.compile(r"DumpLocal10init_style|DumpCustom10init_style")
 
 
@@ -33,19 +33,19 @@ class Finding(Exception):
 
 
 class Refused(Exception):
-    """Raised if the first deck of a case is rejected, which ends the case."""
+    """Raised if the first deck of a case is rejected; this ends the case."""
 
 
 @dataclass
 class Lab:
-    """A folder, a host, and the decks run so far."""
+    """A folder, a host, and the decks that have been run so far."""
 
     folder: Path
     host: str = "liggghts"
     runs: int = 0
 
     def start(self, text, name="run", ranks=1, host=None):
-        """Run a deck and return its outcome. A crash, a hang or an end without a message is a
+        """Run a deck and return its outcome. A crash, a hang, or a failure without a message is a
         finding."""
         self.runs += 1
         file = self.folder / f"in.{name}"
@@ -70,7 +70,7 @@ class Lab:
         return end
 
     def figures(self, scene, name="first", pose=UPRIGHT, ranks=1, host=None, text=None, **options):
-        """Return the results of a scene's run, in the scene's own frame."""
+        """Return the results of a run of a scene, in the frame of the scene."""
         end = self.start(text or deck(scene, pose, **options), name, ranks, host)
         if end.code:
             message = end.error.splitlines()[0]

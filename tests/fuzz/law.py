@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Keywords of the contact law, drawn from the tables exported by C++."""
+"""Draw keywords of the contact law from the tables that C++ exports."""
 
 from fuzz.draw import grammar
 from raceway import core
@@ -10,8 +10,8 @@ NEEDS = {"film_branch": "film_in_gap", "spin": "differential_slip"}
 
 
 def words(draw, film):
-    """Return keywords of pair_style: the parts that a law must have, at most one friction law and
-    one tangential law, and some of the other parts."""
+    """Return keywords of pair_style for the parts that a law must have, at most one friction law
+    and at most one tangential law, and some of the other parts."""
     slots, chosen = {}, []
     parts = [part for part in LAW if film or not part["film"]]
     for slot in sorted({part["slot"] for part in parts} - {""}):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the main deck with a few of its variables set; the run is resumed, repeated in another host
+"""Run the main deck with a few of its variables set. The run is resumed, repeated in another host
 or on several ranks, or read by `raceway summary`."""
 
 import json
@@ -15,7 +15,7 @@ from host import run
 
 SHORT = {"passes": 1, "samples": 20, "settle": 0.1}
 WAYS = ("resume", "hosts", "ranks", "summary")
-# variables that describe the run rather than the bearing
+# settings that describe the run rather than the bearing
 TIMING = ("wall_s", "processor_s", "created", "ranks", "host", "program", "evaluations", "history")
 
 
@@ -30,7 +30,7 @@ def variables(draw):
 
 
 def check(draw, folder, host):
-    """Run one case and return the check that was made. Raise Finding or Refused."""
+    """Run one case and return the name of the check that was made. Raise Finding or Refused."""
     given, way = variables(draw), draw.choice(WAYS)
     first = _run(folder / "first", host, given, first=True)
     if way == "resume":

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Relations between runs that are valid for every scene. Each function takes the scene, its results
-and the lab, and raises a Finding if the relation is violated."""
+"""Relations between runs that are valid for every scene. Each function receives the scene, its
+results and the lab, and raises a Finding if its relation is violated."""
 
 import json
 import re
@@ -13,8 +13,8 @@ from fuzz.lab import HOSTS, Finding, same
 from fuzz.pose import MIRRORS, TURNS, UPRIGHT
 from fuzz.rewrites import REWRITES
 
-# Rounding differs between poses; the solver's tolerance and contacts that open and close amplify
-# it.
+# Rounding errors depend on the orientation; they are amplified by the solver's tolerance and by
+# contacts that open and close.
 POSED = 1e-3
 EXTRA = (
     "compute extra balls bearing/ball azimuth inner_load outer_load",
@@ -25,7 +25,8 @@ EXTRA = (
 
 
 def turn(scene, first, lab, draw):
-    """A bearing with another direction of its axis and of its first ball gives the same results."""
+    """Changing the directions of the bearing's axis and of its first ball does not change the
+    results."""
     _posed(scene, first, lab, draw.choice(TURNS), "turned")
 
 
@@ -39,7 +40,7 @@ def move(scene, first, lab, draw):
 
 
 def split(scene, first, lab, draw):
-    """Two runs of N and M steps equal one run of N + M steps."""
+    """Two runs of N and M steps give the same results as one run of N + M steps."""
     steps = draw.randint(1, scene["every"] * scene["samples"] - 1)
     _near(scene, first, lab, f"split at step {steps}", lambda _: {"split": steps})
 
@@ -49,10 +50,10 @@ def _posed(scene, first, lab, pose, name):
 
 
 def _near(scene, first, lab, what, changes):
-    """Check that the results stay equal with the options `changes(scene)` of a run. Two kinds of
-    difference are allowed: a difference that is also caused by a change of the scene at rounding
-    level, for balls at the limit of contact; and a difference of the size of the integrator's error
-    that is caused by rounding and vanishes as the tolerance is reduced."""
+    """Check that the results do not change with the options `changes(scene)` for a run. Two types
+    of difference are allowed: one that a change of the scene at rounding level also causes, for
+    balls at the limit of contact; and one that is caused by rounding, is as large as the
+    integrator's error, and vanishes as the tolerance is reduced."""
     other = lab.figures(scene, "changed", **changes(scene))
     if not figures.differences(first, other, POSED):
         return
@@ -78,15 +79,15 @@ def _near(scene, first, lab, what, changes):
 
 
 def restart(scene, first, lab, draw):
-    """A restart from write_restart and read_restart at a sample is bitwise identical to a run split
-    there."""
+    """A run that is restarted at a sample with write_restart and read_restart is bitwise identical
+    to a run that is split there."""
     steps = scene["every"] * draw.randint(1, scene["samples"] - 1)
     whole = lab.figures(scene, "split", split=steps, restart="write")
     (lab.folder / "resumed").mkdir()
     (lab.folder / "split" / "half.restart").rename(lab.folder / "resumed" / "half.restart")
     after = lab.figures(scene, "resumed", restart="read")
-    # velocity Verlet evaluates forces at half-step velocities, but at full-step velocities at the
-    # start of a run
+    # velocity Verlet evaluates forces at half-step velocities, except at the start of a run, where
+    # it uses full-step velocities
     count = scene["samples"] - steps // scene["every"] + (scene["implicit"] is not None)
     tails = [
         {name: (columns, table[-count:]) for name, (columns, table) in run.items()}
@@ -96,7 +97,7 @@ def restart(scene, first, lab, draw):
 
 
 def observe(scene, first, lab, draw):
-    """Computes, a record and a step check leave the results bitwise identical."""
+    """Adding computes, a record and a step check leaves the results bitwise identical."""
     more = [words.format(every=scene["every"]) for words in EXTRA]
     more = draw.sample(more, draw.randint(1, len(more)))
     if "compute most" in str(more):
@@ -122,8 +123,8 @@ def rewrite(scene, first, lab, draw):
 
 
 def neighbour(scene, first, lab, draw):
-    """A second bearing of the same kind, displaced along the axis, leaves the results bitwise
-    identical."""
+    """Adding a second, identical bearing that is displaced along the axis leaves the results
+    bitwise identical."""
     lines, width = deck(scene).splitlines(), 3 * scene["diameter"]
     at = next(k for k, line in enumerate(lines) if line.startswith("create_bearing"))
     words = re.sub("centre 0 0 0", f"centre 0 0 {width:.17g}", lines[at])
@@ -136,7 +137,7 @@ def neighbour(scene, first, lab, draw):
         else re.sub(r"^group (\w+) type (.*)", r"group \1 type \2", line)
         for line in lines
     ]
-    # dumps and the capacitance cover only the first bearing, whereas forces act on both
+    # dumps and the capacitance refer only to the first bearing, whereas forces act on both
     lines = [re.sub(r"^(dump atoms) all", r"\1 first", line) for line in lines]
     lines = [
         re.sub(r"^(compute contacts|dump contacts|fix cap) balls", r"\1 first_balls", line)
@@ -153,7 +154,7 @@ def neighbour(scene, first, lab, draw):
 
 
 def shaft(scene, first, lab, draw):
-    """A shaft with one ring behaves like that ring."""
+    """A shaft with a single ring behaves like that ring."""
     if "unbalance" in deck(scene) or scene["gravity"]:
         return
     ring, shaft = (f"fix ring_inner inner bearing/{word}" for word in ("ring", "shaft"))
@@ -170,8 +171,8 @@ def rest(scene, first, lab, draw):
     statics.check(scene, lab)
 
 
-# Quantities in the summary of a record that do not depend on the pose; the directions of force and
-# shift rotate with it.
+# Quantities in the summary of a record that do not depend on the orientation; the directions of
+# force and shift rotate with it.
 SCALARS = (
     "ring_shift_m load_parameter q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa "
     "entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F "
@@ -180,10 +181,10 @@ SCALARS = (
 
 
 def read(scene, first, lab, draw):
-    """`raceway summary` of a record gives the same results for every pose."""
+    """`raceway summary` of a record gives the same results in every orientation."""
     columns, table = first["contacts"]
     if not table[..., columns.index("load")].max(initial=0) > 1e-12:
-        return  # N; rounding decides which balls touch
+        return  # N; below this load, rounding decides which balls touch
     record = f"fix table all bearing/record {scene['every']} ${{out}}/record overwrite yes"
     pose = draw.choice([*TURNS, *MIRRORS])
     told = []
@@ -208,8 +209,8 @@ def _alike(a, b):
 
 
 def energy(scene, first, lab, draw):
-    """Work, dissipation and storage balance to 1e-3, or converge to a balance with shorter
-    substeps."""
+    """Work, dissipation and storage balance to within 1e-3, or approach a balance as the substeps
+    are made shorter."""
     jumps = any("position" in str(scene[ring]) for ring in ("inner", "outer"))  # no work defined
     if scene["implicit"] is None or "solve" in scene["implicit"] or jumps:
         return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Checks of signs, sums and balances in the results of one run."""
+"""Check signs, sums and balances in the results of one run."""
 
 import numpy as np
 from fuzz.deck import LOSSES, SUMS
@@ -13,12 +13,12 @@ def check(scene, figures, folder):
     names, rings = figures["rings"]
     ring = {name: rings[..., names.index(name)] for name in names}
     law = set(scene["law"].split())
-    gap = law & {"gap", "gap_film"}  # contacts then begin before the surfaces touch
+    gap = law & {"gap", "gap_film"}  # with these keywords, contacts begin before the surfaces touch
     springs = scene["implicit"] is None or law & {"heathcote", "slices"}
     for name in ("a", "b", "pressure", "h_min", "lambda", *([] if gap else ["overlap"])):
         if name in of and (of[name][touching] < 0).any():
             raise Finding(f"negative {name}")
-    # a tangential spring returns the energy that it has stored
+    # a tangential spring can return energy that it has stored
     for name in ("load", "normal", *([] if springs else ["friction_power"])):
         if (of[name][touching] < -1e-9 * abs(of[name]).max(initial=0)).any():
             raise Finding(f"negative {name} of a contact: {of[name].min()}")
@@ -30,7 +30,7 @@ def check(scene, figures, folder):
 
 
 def _sums(scene, of, touching, ring):
-    """Check that the forces on every ring are sums over its contacts."""
+    """Check that the force on every ring is the sum over its contacts."""
     inner = ring["ring"].argmin(axis=1)
     for side in (0, 1):
         pick = inner if side == 0 else 1 - inner
@@ -43,7 +43,7 @@ def _sums(scene, of, touching, ring):
         most = np.where(mine, of["load"], 0).max(axis=1, initial=0)
         _close(most, ring["load"][rows, pick], f"largest load of ring {side}")
         if side and (scene["cage"] or "drag" in scene["law"]):
-            continue  # rails and drag also push the ring
+            continue  # rails and drag also exert forces on the ring
         radial = np.where(mine, of["normal"] * np.cos(of["angle"]), 0)
         sign = -1 if side == 0 else 1
         axial = np.where(mine, of["normal"] * np.sin(of["angle"]), 0).sum(axis=1)

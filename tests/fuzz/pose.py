@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pose of a scene in the lab: one of 48 rotations and reflections of the axes, and a centre."""
+"""Orientation and position of a scene in the lab frame: one of 48 rotations and reflections of the
+axes, and a centre."""
 
 import math
 from dataclasses import dataclass
@@ -12,7 +13,7 @@ LAB = "xyz"
 
 @dataclass(frozen=True)
 class Pose:
-    """Axis i of the scene points along sign[i] times the lab axis `axes[i]`."""
+    """Axis i of the scene points along signs[i] times the axis `axes[i]` of the lab frame."""
 
     axes: tuple = (0, 1, 2)
     signs: tuple = (1, 1, 1)
@@ -32,30 +33,32 @@ class Pose:
 
     @property
     def axis(self):
-        """Axis of the bearing in the lab."""
+        """Axis of the bearing in the lab frame."""
         return self.axes[2]
 
     @property
     def sense(self):
-        """-1 if the azimuth in the lab decreases while the azimuth in the scene increases."""
+        """-1 if the azimuth in the lab frame decreases as the azimuth in the scene increases, or
+        1."""
         return self.hand * self.signs[2]
 
     def polar(self, vector):
-        """Return a displacement, velocity or force in lab axes."""
+        """Return the components in the lab frame of a displacement, a velocity or a force."""
         return [float(value) for value in self.matrix @ vector]
 
     def axial(self, vector):
-        """Return a spin, a tilt or a moment in lab axes."""
+        """Return the components in the lab frame of a spin, a tilt or a moment."""
         return [self.hand * value for value in self.polar(vector)]
 
     def azimuth(self, own):
-        """Return the azimuth in the lab, measured from the axis that follows the bearing's axis."""
+        """Return the azimuth in the lab frame, measured from the axis that follows the bearing's
+        axis."""
         lab = self.polar([math.cos(own), math.sin(own), 0])
         first, second = (self.axis + 1) % 3, (self.axis + 2) % 3
         return math.atan2(lab[second], lab[first])
 
     def back(self, vectors, axial=False):
-        """Return the components in the scene's frame of vectors (n, 3) given in the lab."""
+        """Return the components in the scene's frame of vectors (n, 3) given in the lab frame."""
         return (np.asarray(vectors) @ self.matrix) * (self.hand if axial else 1)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Command lines applied to intact and damaged files. Damaged files may be rejected, but must not
+"""Apply command lines to intact and damaged files. Damaged files may be rejected, but must not
 change any result."""
 
 import json

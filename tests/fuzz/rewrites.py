@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equivalent forms of a deck, whose results must be bitwise identical."""
+"""Rewrite a deck in equivalent forms, whose results must be bitwise identical."""
 
 import re
 
 
 def formula(lines, draw):
-    """Replace the number of a load, speed or position by an equal-style variable."""
+    """Replace the value of a load, a speed or a position by an equal-style variable."""
     found, out = 0, []
     for line in lines:
         if line.startswith("fix ring_"):
@@ -22,7 +22,7 @@ def formula(lines, draw):
 
 
 def own_keywords(lines, draw):
-    """Repeat the keywords of pair_style in each raceway's pair_coeff."""
+    """Repeat the keywords of pair_style in the pair_coeff command of each raceway."""
     style = next(line for line in lines if line.startswith("pair_style"))
     law = style.split("overlap_limit")[1].split(None, 1)[1:]
     if not law or " gap" in style or "branch" in style:  # these keywords apply to all raceways
@@ -39,14 +39,14 @@ def every(lines, draw):
 
 
 def order(lines, draw):
-    """Write fixes of flaws, rings and motion in another order."""
+    """Write the fixes for flaws, rings and motion in a different order."""
     at = [k for k, line in enumerate(lines) if re.match("fix (flaw|ring_|move)", line)]
     moved = draw.sample(at, len(at))
     return [lines[moved[at.index(k)]] if k in at else line for k, line in enumerate(lines)]
 
 
 def twice(lines, draw):
-    """Define rings and flaws, delete them and define them again."""
+    """Define rings and flaws, delete them, and define them again."""
     out = []
     for line in lines:
         out.append(line)
@@ -56,7 +56,7 @@ def twice(lines, draw):
 
 
 def skin(lines, draw):
-    """Change the neighbour skin and the search method."""
+    """Change the neighbour skin and the neighbour search method."""
     return [
         re.sub(r"^neighbor (\S+) bin", lambda m: f"neighbor {2 * float(m.group(1)):g} nsq", line)
         for line in lines

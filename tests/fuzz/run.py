@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The fuzzer of the project, for long runs started by hand:
+"""The fuzzer of the project, for long runs that are started by hand:
 
 python tests/fuzz/run.py --seed 1 --cases 1000 --host lammps
 
-A finding is reduced and written to build/fuzz; --replay runs such a file again. docs/extend.rst
-describes the fuzzer."""
+A finding is reduced and written to build/fuzz; --replay runs such a file again. The fuzzer is
+described in docs/extend.rst."""
 
 import argparse
 import sys
@@ -32,8 +32,8 @@ FINDINGS = ROOT / "build" / "fuzz"
 
 
 def judge(name, seed, host, drawn=None, runs=None):
-    """Return (verdict, message) for a case: a scene under an oracle, a damaged deck, a command
-    line, or a run of the main deck."""
+    """Return (verdict, message) for a case, which is a scene with an oracle, a damaged deck, a
+    command line, or a run of the main deck."""
     draw = Draw(f"{seed} {name}")
     with tempfile.TemporaryDirectory() as folder:
         lab = Lab(Path(folder), host)
@@ -57,12 +57,12 @@ def judge(name, seed, host, drawn=None, runs=None):
 
 
 def oracle(seed):
-    """Return the kind of case that belongs to a seed."""
+    """Return the type of case that belongs to a seed."""
     return Draw(seed).choices(list(SHARES), SHARES.values())[0]
 
 
 def report(name, seed, host, message):
-    """Write a finding with its deck, after reducing its scene as far as possible."""
+    """Write a finding with its deck, after its scene has been reduced as far as possible."""
     FINDINGS.mkdir(parents=True, exist_ok=True)
     found = {"message": message, "oracle": name, "seed": seed, "host": host}
     if name in ORACLES:
@@ -83,7 +83,7 @@ def report(name, seed, host, message):
 
 
 def series(seeds, host, only=None, runs=None, tell=lambda *words: None):
-    """Return the verdicts of many cases, and the messages of the findings."""
+    """Return the verdicts of many cases and the messages of all findings."""
     count, found = Counter(), []
     with tempfile.TemporaryDirectory() as folder:
         for seed in seeds:
@@ -99,7 +99,7 @@ def series(seeds, host, only=None, runs=None, tell=lambda *words: None):
 
 
 def replay(file, host=None):
-    """Return (verdict, message) for a finding that was saved to a file."""
+    """Return (verdict, message) for a finding that has been saved to a file."""
     found = yaml.safe_load(Path(file).read_text())
     name, seed, scene_found = found["oracle"], found["seed"], found.get("scene")
     with tempfile.TemporaryDirectory() as folder:

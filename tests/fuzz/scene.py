@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A scene consists of one bearing, its rings' degrees of freedom and loads, flaws and time steps,
-in its own frame (x, y across its axis z). deck.py places it in the lab."""
+"""A scene consists of one bearing, the degrees of freedom and loads of its rings, flaws, and time
+steps. It is described in its own frame (x and y across its axis z); deck.py places it in the lab
+frame."""
 
 import math
 
@@ -11,8 +12,8 @@ FREEDOMS = ("x", "y", "z", "rx", "ry")
 
 
 def scene(seed):
-    """Return the scene of a seed as plain data, from which parts can be removed one by one
-    (shrink.py)."""
+    """Return the scene for a seed as plain data, from which shrink.py can remove parts one by
+    one."""
     draw = Draw(seed)
     film = draw.chance(0.65)
     bearing = _bearing(draw)
@@ -89,7 +90,7 @@ def _time(draw, implicit, bearing):
     every, samples = draw.number(ranges["steps"]), draw.number(ranges["samples"])
     if implicit:
         return {"step": draw.number(ranges["step"]), "every": every, "samples": samples}
-    # the step is short enough for velocity Verlet, so there are more steps
+    # this step is short enough for velocity Verlet, so more steps are needed
     step = 1.0e-7 * bearing["diameter"] / 12.6e-3
     return {"step": float(f"{step:.3g}"), "every": 20 * every, "samples": samples}
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Removes parts of a scene as long as the failure persists."""
+"""Remove parts of a scene for as long as the failure persists."""
 
 from itertools import combinations
 
@@ -29,7 +29,7 @@ PLAIN_RING = {
 
 
 def shrink(scene, fails):
-    """Return the smallest scene found for which `fails(scene)` is true."""
+    """Return the smallest scene that was found for which `fails(scene)` is true."""
     again = True
     while again:
         again = False

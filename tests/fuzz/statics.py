@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Loads of a run at equilibrium are compared with statics in Python, for the scene's bearing and
-load without friction, film and speed, with strong damping."""
+"""Compare the loads of a run at equilibrium with statics in Python, for the bearing and the load of
+a scene, without friction, film and speed, and with strong damping."""
 
 import numpy as np
 from fuzz.lab import Finding
@@ -9,12 +9,12 @@ from raceway import static
 from raceway.errors import NoEquilibrium
 from raceway.theory.bearing import Bearing, Layout
 
-# Fraction of the largest load; balls roll slightly while the run approaches equilibrium.
+# Fraction of the largest load; the balls roll a little while the run approaches equilibrium.
 SHARE = 2e-2
 
 
 def rest(scene):
-    """Return the scene at rest, or None if nothing holds its ring."""
+    """Return the scene at rest, or None if nothing supports its ring."""
     ring = dict(scene["inner"])
     ring |= {"mass": 0.02, "inertia": [2e-6, 2e-6], "ramp": 0, "rotating": None, "unbalance": None}
     ring |= {"spin": 0, "supports": {}}
@@ -28,7 +28,7 @@ def rest(scene):
             ring["supports"][name] = [1.0 * scale, 3e3 * scale]
     still = {"film": False, "law": "hysteresis 5", "speed": [0, 0], "implicit": "order 1"}
     still |= {"step": 5.0e-5, "every": 20, "samples": 5, "outer": None, "gravity": None}
-    # a seat is a displacement, which would persist if the ring is held
+    # `seat` displaces the balls, and the displacement would persist if the ring is held
     still |= {} if ring["freedoms"]["z"] == ["free"] else {"seat": 0}
     return scene | still | {"flaws": [], "capacitance": None, "inner": ring, "cage": None}
 
@@ -39,14 +39,14 @@ def check(scene, lab):
     if _theory(still, still["phase"]) is None:
         return False
     figures = lab.figures(still, "rest")
-    # without friction the balls would roll away
+    # without friction, the balls would roll away
     place = figures["atoms"][1][-1, : scene["balls"], 2:4]
     theory = _theory(still, np.arctan2(place[:, 1], place[:, 0]))
     if theory is None:
         return False
     columns, table = figures["contacts"]
     last, before = table[-1], table[-2]
-    # a ball next to the load line carries a larger load than the force across that line
+    # a ball next to the load line carries more than the force across that line
     lever = np.sin(min(2 * np.pi / scene["balls"], np.pi / 2))
     if _unrest(still["inner"], scene["grooves"][0][0], *figures["rings"]) > SHARE * lever:
         return False
@@ -67,7 +67,7 @@ def check(scene, lab):
 
 
 def _unrest(ring, radius, names, table):
-    """Return the fraction of the load that the contacts do not carry yet."""
+    """Return the fraction of the load that the contacts do not yet carry."""
     row = table[-1, table[-1, :, 0].argmin()]
     loads = zip(("fx", "fy", "fz", "mx", "my"), [*ring["force"], *ring["moment"]], strict=True)
     free = [

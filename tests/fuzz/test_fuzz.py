@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A few cases of the fuzzer (run.py runs more), and all its past findings."""
+"""Run a few cases of the fuzzer (run.py runs more) and all its past findings."""
 
 from pathlib import Path
 from types import SimpleNamespace
@@ -13,7 +13,7 @@ FOUND = sorted((Path(__file__).parent / "found").glob("*.yaml"))
 
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory):
-    """Return runs that the commands read."""
+    """Return the runs that the commands read."""
     return files.runs(tmp_path_factory.mktemp("runs"))
 
 
@@ -44,7 +44,8 @@ def test_what_it_found(file):
     ],
 )
 def test_ends_that_a_longer_run_may_have(tmp_path, monkeypatch, end, verdict):
-    """Only the second run of a case may end in this way."""
+    """In the second run of a case, an error that a longer run may cause is not a finding, whereas
+    any other error is."""
     ended = lab.Lab(tmp_path)
     outcome = SimpleNamespace(code=1, text=end, error=end)
     monkeypatch.setattr(lab, "run", lambda *words, **options: outcome)

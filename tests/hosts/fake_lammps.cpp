@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A stand-in for a LAMMPS of any version on any MPI, with the symbols that raceway_plugin.so
-// inspects before it loads the styles:
+// A program that stands in for LAMMPS of any version with any MPI library. It exports the symbols
+// that raceway_plugin.so inspects before it loads the styles:
 //   fake_lammps PLUGIN VERSION MPI_NAME [BYTES_OF_TAGINT]
-// The exit code is 0 if the plugin registered nothing and returned.
+// The exit code is 0 if the plugin returns without having registered anything.
 #include <dlfcn.h>
 
 #include <cstdio>

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Kill runs at random moments, resume them, and compare every output file with the file of an
-undisturbed run.
+"""Kill runs at random moments, resume them, and compare every output file with the corresponding
+file of an undisturbed run.
 
     .venv/bin/python tests/hosts/kills.py [N] [--seed S]
 
-There are N runs with kill -TERM and N runs with kill -9 (default: 50). A killed run is resumed, and
-sometimes killed again, until it finishes. Half of the runs are always started on one rank, the
-other half alternately on 1 and 2 ranks. Only the wall time in `run.yaml` may differ; the exit code
-is 1 if anything else differs.
+N runs receive kill -TERM, and N runs receive kill -9 (default: 50). A killed run is resumed, and
+sometimes killed again, until it finishes. One half of the runs always uses one rank; the other half
+alternates between 1 and 2 ranks. Only the wall time in `run.yaml` may differ; the exit code is 1 if
+anything else differs.
 """
 
 import argparse
@@ -50,17 +50,17 @@ SCENES = (
 
 @dataclass
 class Story:
-    """The events during one run."""
+    """What happened to one run."""
 
     kills: int = 0
-    resumed: int = 0  # number of starts that found a restart file
+    resumed: int = 0  # number of restarts from a restart file
     codes: tuple = ()
-    different: tuple = ()  # files that differ from the reference
+    different: tuple = ()  # files that differ from those of the reference run
 
 
 def start(scene, out, *, ranks=1):
-    """Run `scene` into `out` in a separate session, with its output in out.log, and resume the run
-    if there is a restart file."""
+    """Run `scene` in a separate session with the output folder `out`, write its screen output to
+    out.log, and resume the run if there is a restart file."""
     command = [
         str(ROOT / "build" / "liggghts"),
         "-in",
@@ -91,7 +91,7 @@ def start(scene, out, *, ranks=1):
 
 
 def run(scene, out):
-    """Run `scene` without disturbance, and return the wall time in s."""
+    """Run `scene` without disturbance, and return its wall time in s."""
     begun = time.monotonic()
     code = start(scene, out).wait()
     assert code == 0, Path(f"{out}.log").read_text(errors="replace")[-2000:]
@@ -99,8 +99,8 @@ def run(scene, out):
 
 
 def settings(folder):
-    """Return the lines of `run.yaml` without the wall and processor times, which are not results of
-    the model."""
+    """Return the lines of `run.yaml` except for the wall and processor times, which are not results
+    of the model."""
     return [
         line
         for line in (folder / "run.yaml").read_text().splitlines()
@@ -121,7 +121,7 @@ def same(one, other):
 
 
 def session(leader):
-    """Return the processes of a session, in an order that puts the leader last."""
+    """Return the processes of a session, with the leader last."""
     found = []
     for stat in Path("/proc").glob("[0-9]*/stat"):
         try:
@@ -134,8 +134,8 @@ def session(leader):
 
 
 def ended(process, ranks):
-    """Wait until a run ends, and return its exit code. Open MPI's launcher may lock up while it
-    exits after a signal; in this case it is killed once no ranks are left."""
+    """Wait until a run ends, and return its exit code. Open MPI's launcher may hang while it exits
+    after a signal; in this case it is killed once no ranks are left."""
     while True:
         try:
             return process.wait(20)
@@ -145,13 +145,13 @@ def ended(process, ranks):
 
 
 def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
-    """Run `scene` with signals `which` at random moments of its duration `length` (s) until it
-    finishes, and compare it with `reference`."""
+    """Run `scene` until it finishes, send it signals of type `which` at random moments within its
+    duration `length` (s), and compare its output with `reference`."""
     story, attempt = Story(), -1
     while attempt < 100:
         attempt += 1
         process = start(scene, out, ranks=ranks[attempt % len(ranks)])
-        # the first start always receives a signal, each later start with a probability of one half
+        # the first process always receives a signal, each later one with a probability of one half
         if attempt == 0 or dice.random() < 0.5:
             try:
                 process.wait(dice.uniform(0.0, length))
@@ -170,7 +170,7 @@ def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
         story.codes += (code,)
         if code == 0 and story.kills:
             break
-        if code == 0:  # the signal came too late to affect the run
+        if code == 0:  # the signal came too late to interrupt the run
             shutil.rmtree(out)
             attempt = -1
     story.resumed = Path(f"{out}.log").read_text(errors="replace").count("Continuing from")

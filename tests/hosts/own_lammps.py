@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""In a LAMMPS built from Debian's sources with Open MPI, the results with the plugin and with the
-package are bitwise identical to those of build/liggghts. `make test-lammps` builds these programs
+"""In a LAMMPS built from Debian's sources with Open MPI, results are bitwise identical to those of
+build/liggghts, both with the plugin and with the package. `make test-lammps` builds these programs
 and runs this file."""
 
 import pytest

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every deck in inputs and docs/decks runs. Decks with the variable `models` run with both paper
-and full. The structure of the decks is checked too."""
+"""Every deck in inputs and docs/decks runs; decks with the variable `models` run with both the
+value paper and the value full. The structure of the decks is checked, too."""
 
 import re
 
@@ -14,14 +14,14 @@ DECKS = [
     for path in sorted((ROOT / folder).glob("in.*"))
 ]
 SHORT = {"passes": 1, "settle": 0, "samples": 40, "bearings": 2, "time": "1e-3", "rpm": 3000}
-DRUM = {"rows": 4, "bottom": -0.0915, "steps": 600}  # docs/gallery.rst runs longer
+DRUM = {"rows": 4, "bottom": -0.0915, "steps": 600}  # the run in docs/gallery.rst is longer
 ALONE = [deck for deck in DECKS if not re.search("partition|restart_2_read", deck)]
 
 
 def takes(deck):
     try:
         return deck_variables(ROOT / deck)
-    except TableError:  # the deck has no variable
+    except TableError:  # the deck has no variables
         return {}
 
 
@@ -42,7 +42,7 @@ def test_runs(tmp_path, deck, models):
 
 def test_include_files():
     """Decks include only other decks, and use conditions only to choose between a new box and a
-    restart."""
+    restart file."""
     for deck in DECKS:
         text = (ROOT / deck).read_text()
         included = re.findall(r"^include (\S+)", text, re.M)
@@ -53,6 +53,6 @@ def test_include_files():
 
 
 def test_number_of_commands():
-    """In addition to the styles, there are at most six commands."""
+    """The package adds at most six commands in addition to the styles."""
     text = (ROOT / "src-package/host/bearing_styles.h").read_text()
     assert len(re.findall(r"add\.template command<", text)) <= 6

@@ -7,7 +7,7 @@ import re
 import pytest
 from host import BOX, liggghts, run
 
-# {mistake: (variables of in.6208, regular expression for the error)}
+# {mistake: (variables of in.6208, regular expression that matches the error)}
 MAIN_DECK = {
     "conformal groove": (
         {"inner_groove": 6.2e-3},
@@ -117,7 +117,7 @@ FOUR_POINT = (
     + GROUPS
 )
 
-# {mistake: (deck, regular expression for the error)}
+# {mistake: (deck, regular expression that matches the error)}
 DECKS = {
     "unknown style keyword": (
         BOX + "pair_style bearing/hertz viscosity 0.04\n",
@@ -315,7 +315,7 @@ DECKS = {
 
 
 def wrong(outcome, message):
-    """Check that the run failed with exactly one readable error and made no step."""
+    """Check that the run failed with exactly one readable error and did not make a single step."""
     assert outcome.code != 0, outcome.text[-1500:]
     assert re.search(message, outcome.error), (
         f"no /{message}/ in:\n{outcome.error or outcome.text[-1500:]}"
@@ -329,7 +329,7 @@ def test_main_deck(name, tmp_path):
     variables, message = MAIN_DECK[name]
     outcome = liggghts("inputs/in.6208", **{"out": tmp_path / "run", **variables})
     wrong(outcome, message)
-    assert not list(tmp_path.rglob("*.dump")), "an output file was started"
+    assert not list(tmp_path.rglob("*.dump")), "an output file was created"
 
 
 @pytest.mark.parametrize("name", DECKS)
@@ -340,7 +340,7 @@ def test_deck(name, tmp_path):
     wrong(liggghts(deck), message)
 
 
-# invalid set-ups that are tried in every host
+# invalid setups that are tested in every host
 SETUPS = [
     "newton on",
     "periodic box",
@@ -373,7 +373,7 @@ def test_ghost_cutoff_too_small(host, tmp_path):
 
 
 def test_lost_ball_is_named(tmp_path):
-    """A run that diverges stops with an error that states the contact, the step and the remedy."""
+    """A run that diverges stops with an error that names the contact, the step and the remedy."""
     deck = tmp_path / "in.runaway"
     deck.write_text(
         DRY
@@ -400,7 +400,7 @@ def test_step_that_turns_out_too_large_is_refused(tmp_path):
 
 
 def test_not_a_number_under_an_implicit_step(tmp_path):
-    """The step cannot be refined far enough, and the run stops with an error that states the fix
+    """The step cannot be refined any further, and the run stops with an error that names the fix
     and the step."""
     deck = tmp_path / "in.nan"
     deck.write_text(
@@ -419,8 +419,8 @@ def test_not_a_number_under_an_implicit_step(tmp_path):
 
 
 def test_not_a_number_is_named(tmp_path):
-    """A position that is not a number is not treated as a gap, and the run stops with an error that
-    names the contact."""
+    """A position that is NaN is not mistaken for a gap: the run stops with an error that names the
+    contact."""
     deck = tmp_path / "in.nan"
     deck.write_text(
         DRY + "variable nothing equal 1.0e308*10*step-1.0e308*10*step\n"  # inf - inf

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing is specified by name: its data are found, and errors are helpful."""
+"""Decks specify a bearing by name: its data are found, and error messages state how to fix a
+mistake."""
 
 import pytest
 from host import run
@@ -19,8 +20,9 @@ def said(tmp_path, deck, **values):
     return done, [line for line in done.text.splitlines() if line[:3] == "IS "]
 
 
-# values computed by formulas in earlier decks: balls, ball diameter, inner radius, both grooves;
-# outer radius, half the width of a box, mass and inertia of the inner ring, diameter of a cage ball
+# values that earlier decks computed by formulas: number of balls, ball diameter, inner radius,
+# inner and outer groove; outer radius, half the width of a box, mass and inertia of the inner ring,
+# and diameter of a cage ball
 NUMBERS = {
     ("6208", "clearance", "1.1e-5"): (
         "9 12.6e-3 24.0e-3 6.552e-3 6.552e-3",

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command `bearing` reads a row of INPUTS/bearings/*.csv as if it were a file with the name of
-the row, and Python reads the same data."""
+"""The command `bearing` reads a row of a table INPUTS/bearings/*.csv as if it were a file named
+after the row, and Python reads the same data."""
 
 import pytest
 from host import ROOT, run, succeed
@@ -26,7 +26,7 @@ print "NOW ${{b_balls}} ${{b_ball_diameter}}"
 
 
 def table(tmp_path, text=OWN):
-    """Return a folder of inputs that contains the table `text`."""
+    """Return an inputs folder that contains the table `text`."""
     folder = tmp_path / "own"
     (folder / "bearings").mkdir(parents=True)
     (folder / "bearings" / "table.csv").write_text(text, newline="")
@@ -42,8 +42,8 @@ def deck(tmp_path, folder, before=""):
 @pytest.mark.parametrize("host", HOSTS)
 @pytest.mark.parametrize("change", ["", "mark", "spreadsheet"])
 def test_own_table(tmp_path, host, change):
-    """Tables saved by a spreadsheet program are read. A value from the deck or from -var takes
-    precedence."""
+    """Tables saved by a spreadsheet program can be read. Values from the deck and from -var take
+    precedence over those of the table."""
     text = OWN
     if change == "mark":
         text = "\ufeff" + text

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Forces and reported values are correct at the boundary between two runs."""
+"""Forces and reported values are correct at the boundary between two consecutive runs."""
 
 import pytest
 from host import ROOT, frames, succeed
@@ -9,8 +9,8 @@ DRAG = "fix drag balls viscous 5.0\n"
 
 
 def test_a_fix_defined_between_runs_adds_no_impulse(tmp_path):
-    """The forces of the previous step are restored after every fix has been set up, including fixes
-    that were added later."""
+    """The forces of the previous step are restored after every fix, including any fix added later,
+    has been set up."""
     deck = tmp_path / "in.drag"
     deck.write_text(BITS.replace("timestep 2.0e-7\n", DRAG + "timestep 2.0e-7\n"))
     succeed(deck, out=tmp_path / "whole")
@@ -23,7 +23,7 @@ def test_a_fix_defined_between_runs_adds_no_impulse(tmp_path):
 
 
 def test_report_is_of_the_end_of_the_step(tmp_path):
-    """Reported values describe the end of the step, even if a variable that drives a ring reads the
+    """Reported values describe the end of the step, even if a variable that drives a ring reads
     values for the same ring in the middle of the step."""
     deck = tmp_path / "in.report"
     deck.write_text(
@@ -31,7 +31,7 @@ def test_report_is_of_the_end_of_the_step(tmp_path):
             "timestep 2.0e-7\n",
             (
                 "variable vy_now equal f_inner[5]\n"
-                "variable push equal 1.0e-3*v_vy_now\n"  # N, negligible compared with the load
+                "variable push equal 1.0e-3*v_vy_now\n"  # N, negligible relative to the load
                 "unfix outer\n"
                 "fix outer outer bearing/ring rx position v_wobble force v_push 0 0\n"
                 "variable vy equal f_inner[5]\n"
@@ -53,7 +53,7 @@ def test_report_is_of_the_end_of_the_step(tmp_path):
 
 
 def test_restart_written_in_a_run_without_setup(tmp_path):
-    """`run N pre no` skips the set-up; nevertheless, a restart file that is written then must
+    """`run N pre no` skips the setup; a restart file written during such a run must nevertheless
     contain the forces of that step."""
     deck = tmp_path / "in.pre"
     deck.write_text(BITS.replace("run ${first}\n", "run 100\nrun 300 pre no\n"))

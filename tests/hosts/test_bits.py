@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""With the same input, results are bitwise identical on 1, 2 or 4 ranks, in one run or two, and
+"""For the same input, results are bitwise identical on 1, 2 and 4 ranks, in one run or two, and
 after a restart on a different number of ranks.
 
-The scene (in.bits) includes film, friction springs, cage, a free inner ring with gyroscopic
-moments, a wobbling outer ring that carries the rails, and capacitance. The box is cut through the
-balls and far from the ring atoms; neighbour lists are rebuilt many times, and atoms move to other
-ranks.
+The scene (in.bits) includes lubricant films, friction springs, a cage, a free inner ring with
+gyroscopic moments, a wobbling outer ring that carries the rails, and capacitances. The box is cut
+through the balls but far from the ring atoms; neighbour lists are rebuilt many times, and atoms
+move to other ranks.
 """
 
 import math
@@ -19,7 +19,7 @@ FULL = (
     "gap 1 film_damping branch inlet_shear murch 0.047 0.134 friction mixed 0.12 0.05 heathcote"
     " 1.0e-4 rolling 0.047 0.134 1.0 rolling_hysteresis 0.01 spin 1.0 drag 870 0.1"
 )
-# balls in the middle of the Gothic arches have a contact angle of 35 degrees
+# balls centred in the Gothic arches have a contact angle of 35 degrees
 SLACK, ANGLE = 6.552e-3 - 6.3e-3, math.radians(35)
 GOTHIC = {
     "arch": SLACK * math.sin(ANGLE),
@@ -61,7 +61,7 @@ def scene(request, tmp_path_factory):
 
 
 def state(folder):
-    """Return the last sample of contacts, atoms and ring with all digits."""
+    """Return the last sample for the contacts, the atoms and the ring, with all digits."""
     return [frames(folder / name)[LAST] for name in ("contacts.dump", "balls.dump")] + [
         (folder / "ring.txt").read_text().splitlines()[-1]
     ]
@@ -73,13 +73,13 @@ def test_scene_is_worth_comparing(scene):
         assert len(contacts) > 30  # most balls touch two grooves of each ring
     else:
         assert len(contacts) == 18  # the preload keeps all nine balls on both raceways
-    housing = 21  # ID of the housing's atom
+    housing = 21  # ID of the atom of the housing
     moved = {int(row.split()[0]): row for row in balls}
     assert len(balls) == (housing if "housing" in scene[0] else housing - 1)
-    if housing in moved:  # m, displacement of the ring relative to its atom
+    if housing in moved:  # displacement of the ring relative to its atom, m
         (x, y), outer = (list(map(float, moved[one].split()[1:3])) for one in (housing, 20))
         assert min(abs(outer[0] - (x + 0.03)), abs(outer[1] - y)) > 1e-8
-    assert abs(float(ring.split()[2])) > 1000  # N, force of the balls on the ring
+    assert abs(float(ring.split()[2])) > 1000  # N, force that the balls exert on the ring
 
 
 @pytest.mark.parametrize("ranks", [2, 4])
@@ -94,8 +94,8 @@ def test_ranks(scene, ranks):
 
 @pytest.mark.parametrize("cuts", ["z", "3x3"])
 def test_cuts(scene, cuts, tmp_path):
-    """The box is cut through the middle plane, with balls on both sides of the cut. On nine ranks,
-    the rank with the rings has no balls."""
+    """The box is cut in its middle plane, with balls on both sides of the cut. On nine ranks, the
+    rank that owns the rings has no balls."""
     variables, _ = scene
     box = {"xhi": 0.05, "ylo": -0.05, **variables}
     grid, ranks = {
@@ -122,7 +122,7 @@ def test_two_runs_are_one(scene):
     [("during", 1, 1), ("after", 1, 2), ("after", 4, 1), ("during", 2, 4)],
 )
 def test_restart(scene, when, write_ranks, read_ranks):
-    """Restart files are written either in the middle of a run, or by a command after the run."""
+    """Restart files are written either during a run, or by a command after the run."""
     variables, folder = scene
     out = folder / f"{when}{write_ranks}{read_ranks}"
     how = {"keep": 200} if when == "during" else {"first": 200, "write": 1}

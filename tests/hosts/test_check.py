@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """With the real program, `raceway check` repeats a run with finer settings and adds the errors to
-the results of the run."""
+the results for the run."""
 
 import json
 
@@ -14,14 +14,14 @@ from raceway.sweeps.check import variables
 
 COARSE = {
     **{"passes": 1, "samples": 20, "settle": 1, "tolerance": 1e-7, "load": 2000},
-    "flaw_outer": "notch -1.5708 1.0e-3 full 1.0e-5 5.0e-5",  # the run records the flaw
+    "flaw_outer": "notch -1.5708 1.0e-3 full 1.0e-5 5.0e-5",  # the flaw is stored with the run
     **{"flaw_ball": "wave 2 1.0e-8 0", "flawed_ball": "2 4"},
 }
 
 
 @pytest.fixture(scope="module")
 def checked(tmp_path_factory):
-    """Return the folder of a run with a coarse tolerance, and the output of raceway check."""
+    """Return the folder of a run with a coarse tolerance, and the output of `raceway check`."""
     folder = tmp_path_factory.mktemp("check") / "run"
     succeed("inputs/in.6208", out=folder, **COARSE)
     with pytest.MonkeyPatch.context() as patch:
@@ -31,7 +31,7 @@ def checked(tmp_path_factory):
 
 
 def test_errors_are_those_of_the_run(checked, tmp_path):
-    """Each error equals, to the last digit, the difference from a run started by hand."""
+    """Each error equals, to the last digit, the difference from a second run started by hand."""
     figures = summary(RunTables(checked))
     errors = figures["numerical_errors"]
     assert {"q_max_N", "h_min_m", "capacitance_F", "cage_speed_rad_s"} <= set(errors)
@@ -77,7 +77,7 @@ def test_verlet_takes_half_the_step(tmp_path, monkeypatch):
         RunTables(where).settings["step_s"]
         for where in (tmp_path, tmp_path / "check" / "integration")
     ]
-    assert steps[1] == pytest.approx(steps[0] / 2, rel=0.02)  # a sample has a whole number of steps
+    assert steps[1] == pytest.approx(steps[0] / 2, rel=0.02)  # whole steps between samples
 
 
 @pytest.mark.parametrize(
@@ -93,16 +93,16 @@ def test_verlet_takes_half_the_step(tmp_path, monkeypatch):
     ids=str,
 )
 def test_data_of_ones_own(tmp_path, monkeypatch, own):
-    """The data of bearing and oil are passed on to the repeated runs. The means of the main deck
-    are accurate to 1e-3 by default; if these data were not passed on, the means would change by one
-    to twenty per cent."""
+    """Bearing and oil data are passed on to the repeated runs. The means of the main deck are
+    accurate to 1e-3 by default; if these data were not passed on, the means would change by between
+    one and twenty per cent."""
     monkeypatch.chdir(ROOT)
     succeed("inputs/in.6208", out=tmp_path, passes=1, **own)
     before = summary(RunTables(tmp_path))
     assert main(["check", str(tmp_path)]) == 0
     errors = json.loads((tmp_path / "check.json").read_text())["errors"]
     for key in ("force_y_N", "q_max_N", "capacitance_F"):
-        if key in errors:  # with a heavy ring the run does not settle
+        if key in errors:  # a run with a heavy ring does not settle
             error = errors[key]["integration"] + errors[key]["sampling"]
             assert error < 1e-3 * abs(before[key]), key
     repeated = repeat(variables(RunTables(tmp_path)))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/checkpoint stops a run on a signal, resumes it, rejects files that do not match, and
-reports a full disk."""
+"""`fix bearing/checkpoint` stops a run on a signal, resumes it, rejects files that do not match,
+and reports a full disk."""
 
 import os
 import re
@@ -86,7 +86,7 @@ def test_shortened_record_is_refused(stopped):
 
 
 def test_new_run_replaces_an_old_restart_file(stopped):
-    """Without resume, the run starts from the beginning, and nothing of the old run is left."""
+    """Without `resume`, the run starts from the beginning, and no file of the old run is left."""
     small = {"passes": 1, "samples": 50, "dumps": "yes"}
     succeed("inputs/in.6208", out=stopped, **small)
     assert sorted(path.name for path in stopped.iterdir()) == [
@@ -101,7 +101,7 @@ def test_new_run_replaces_an_old_restart_file(stopped):
 
 
 def test_restart_files_change_no_bit(tmp_path):
-    """Writing restart files does not affect the results of the run at all."""
+    """Writing restart files does not change a single bit of the results."""
     for name, keep in (("without", 0), ("with", 7)):
         succeed("inputs/in.6208", out=tmp_path / name, passes=1, samples=50, keep=keep, dumps="yes")
     for name in FILES:
@@ -109,7 +109,7 @@ def test_restart_files_change_no_bit(tmp_path):
 
 
 def test_killed_run_opens(tmp_path):
-    """All samples written before the kill can be read, and each of them is complete."""
+    """All samples written before the kill can be read, and every one of them is complete."""
     out = tmp_path / "run"
     process = start(SCENE, out)
     wait_for(out / "record.nc", 2_000_000)
@@ -152,7 +152,7 @@ def limited(out, bytes_of_a_file, *words):
 
 
 def test_file_size_limit(tmp_path):
-    done = limited(tmp_path / "record", 12_000_000)  # MPI creates files of 4 MB
+    done = limited(tmp_path / "record", 12_000_000)  # MPI creates files in blocks of 4 MB
     assert done.returncode != 0
     assert "record.nc: File too large" in done.stdout
     done = limited(tmp_path / "run", 30_000_000, "-var", "dumps", "yes", "-var", "record", "none")
@@ -175,7 +175,7 @@ def test_full_disk(tmp_path):
         failed = liggghts("inputs/in.6208", out=disk / "run", passes=4, keep=20, dumps="yes")
         assert failed.code != 0
         assert "No space left on device" in failed.error
-        # after space has been freed, the run continues to the end with bitwise identical results
+        # once space has been freed, the run continues to the end with bitwise identical results
         subprocess.run(["mount", "-o", "remount,size=20m", disk], check=True)
         succeed("inputs/in.6208", out=disk / "run", passes=4, keep=20, dumps="yes", resume="yes")
         succeed("inputs/in.6208", out=tmp_path / "reference", passes=4, dumps="yes")

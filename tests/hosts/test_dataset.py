@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of `raceway dataset` with the real program: its files, labels and resuming, and folders
-that contain something else."""
+"""Tests of `raceway dataset` with the real program: the files and labels it writes, how it resumes,
+and how it treats folders with other contents."""
 
 import json
 
@@ -70,12 +70,12 @@ def test_files(made):
 
 
 def test_rates_hold_the_same_signal(made):
-    """The signal at 12 kHz equals every fourth sample of the 48 kHz signal, except for components
-    that cannot be represented at 12 kHz."""
+    """The 12 kHz signal equals every fourth sample of the 48 kHz signal, except for components that
+    cannot be represented at 12 kHz."""
     fast, slow = (signal_of(made, 2, rate)["X002_DE_time"].ravel() for rate in (48000, 12000))
     low = np.fft.rfft(fast)[: int(0.35 * len(slow))] / len(fast)
     own = np.fft.rfft(slow)[: len(low)] / len(slow)
-    # the ends differ, because a record does not last a whole number of periods
+    # the ends differ, because the record is not a whole number of periods long
     assert np.abs(own - low).max() < 0.1 * np.abs(low).max()
 
 
@@ -104,8 +104,8 @@ def test_card(made):
 
 
 def test_goes_on(made, tmp_path, monkeypatch):
-    """If the command is stopped while files of a record are being written, repeating the command
-    completes the data set with the same signals."""
+    """If the command is stopped while it writes the files of a record, running it again completes
+    the data set with the same signals."""
 
     def stop(one, *_):
         raise KeyboardInterrupt

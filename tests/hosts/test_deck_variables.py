@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A -var that the deck does not define stops the run at the command `bearing`."""
+"""If the deck does not define a variable given with -var, the run stops at the command
+`bearing`."""
 
 import json
 import re
@@ -55,7 +56,7 @@ def test_unknown_in_every_deck(tmp_path, deck):
 @pytest.mark.parametrize("host", HOSTS)
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_given(tmp_path, host, ranks):
-    """A run records the bearing and lubricant data that were given by -var, and no other data."""
+    """A run records exactly those bearing and lubricant data that were given with -var."""
     own = dict(ball_poisson=0.29, inner_mass=2, viscosity=0.05, out=tmp_path, **SHORT)
     succeed("inputs/in.6208", host=host, ranks=ranks, **own)
     said = raceway.open(tmp_path).settings["given_data"]
@@ -66,14 +67,15 @@ def test_given(tmp_path, host, ranks):
 
 @pytest.mark.parametrize("host", HOSTS)
 def test_known(tmp_path, host):
-    """Variables from the head of the deck, of `vars`, of a bearing and of an oil are accepted."""
+    """Variables defined at the head of the deck, listed in `vars`, or belonging to a bearing or an
+    oil are accepted."""
     words = dict(load=3000, tolerance=1e-9, ball_poisson=0.29, viscosity=0.05)
     succeed("inputs/in.6208", host=host, out=tmp_path, **words, **SHORT)
 
 
 def test_models(tmp_path):
-    """`models` selects a named set of keywords for the pair style, and the record and the summary
-    state this name."""
+    """`models` selects a named set of keywords for the pair style, and both the record and the
+    summary contain this name."""
 
     def commands():
         return raceway.open(tmp_path).tables.record.attrs["pair_commands"]
@@ -96,7 +98,7 @@ def test_models(tmp_path):
 
 
 def test_models_of_an_oil_without_the_numbers(tmp_path):
-    """A user's lubricant file may contain only the data required by the models of the paper."""
+    """A user's lubricant file may be limited to the data required by the models of the paper."""
     own = tmp_path / "inputs"
     shutil.copytree(ROOT / "inputs", own)
     (own / "lubricants" / "mine").write_text(
@@ -122,13 +124,13 @@ OIL = {"kinematic_viscosity_40": 46, "kinematic_viscosity_100": 6.8, "oil_densit
 @pytest.mark.parametrize("models", ["paper", "full", "eyring", "none"])
 def test_an_oil_of_three_numbers(tmp_path, models, capsys):
     """Viscosities and density from a data sheet are sufficient. Runs and statics use the same
-    defaults for properties that were not measured. A file that states the defaults gives the same
-    run, and summaries list the properties that were assumed."""
+    defaults for properties that were not measured. A file that states these defaults explicitly
+    gives the same run. Summaries list the properties that were assumed."""
     short, whole = tmp_path / "short", tmp_path / "whole"
     lines = "".join(f"variable {name} index {value}\n" for name, value in OIL.items())
     short.write_text(lines)
     defaults = {name: row["default"] for name, row in variable_table.oil().items()}
-    others = {"pressure_viscosity", "permittivity"}  # these belong to an oil at one temperature
+    others = {"pressure_viscosity", "permittivity"}  # used only for oils at one temperature
     stated = {name: value for name, value in defaults.items() if name not in others}
     whole.write_text(lines + "".join(f"variable {n} index {v}\n" for n, v in stated.items()))
     records = []
@@ -159,8 +161,8 @@ def test_other_spelling_of_the_option(tmp_path):
 
 
 def test_deck_that_includes_the_deck(tmp_path):
-    """Variables of the including deck are recognised, and variables that the including deck itself
-    sets need not be given."""
+    """Variables of the including deck are recognised, and variables that the including deck sets
+    itself need not be given."""
     deck = tmp_path / "in.mine"
     deck.write_text(
         "variable mine index 1\nvariable fixed string 2\nvariable more equal 3\n"
@@ -171,7 +173,7 @@ def test_deck_that_includes_the_deck(tmp_path):
 
 
 def test_option_of_another_program(tmp_path):
-    """The -v in `python -v` is not mistaken for a variable."""
+    """The -v in `python -v` is not mistaken for a deck variable."""
     script = tmp_path / "script.py"
     script.write_text(
         "import ctypes, sys\n"
@@ -199,8 +201,9 @@ def test_option_of_another_program(tmp_path):
 
 
 def test_page_of_the_main_deck_has_every_variable():
-    """Each variable appears in a row of the page or in the generated table of its command. The data
-    of bearings and oils, which variables override, are on the page of the catalogue."""
+    """Each variable is in a row of a table on the page or in the generated table for its command.
+    Bearing and oil data, which variables can override, are described on the page of the
+    catalogue."""
     page = (ROOT / "docs" / "main_deck.rst").read_text()
     generated = re.findall(r"deck-variables:: (\S+)", page)
     missing = [

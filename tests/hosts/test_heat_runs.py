@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of `raceway heat --runs` with the real program: the heat balance, finished runs, failures
-and messages."""
+"""Tests of `raceway heat --runs` with the real program: the heat balance, runs that are already
+finished, failures and messages."""
 
 import json
 
@@ -33,7 +33,7 @@ def test_balance_with_the_friction_of_runs(capsys, folder):
     code, found, said = heat(capsys, folder, "--runs", "2")
     case = steady_heat.Case("6208", "vg46", load=5000.0, rpm=9549.0)
     scene, conductance = case.scene(), found["conductance_W_K"]
-    # a second run follows if the friction in the first run changes the temperature by CLOSE or more
+    # a second run follows if friction in the first run changes the temperature by at least CLOSE
     first = round(case.steady(scene)["temperature_C"], 2)
     ran = json.loads(next(folder.glob(f"*temperature={first:.2f}*/summary.json")).read_text())
     scene.share = ran["power_loss_W"] / scene.at(first, 0.0)["power_loss_W"]
@@ -41,7 +41,7 @@ def test_balance_with_the_friction_of_runs(capsys, folder):
     scene.share = 1.0
     assert code == 0 and found["runs"] == (1 if moved < heat_runs.CLOSE else 2)
     assert len(said.splitlines()) == found["runs"]
-    # the result uses the friction of statics, scaled by the ratio found in the last run
+    # the result uses the friction from statics, scaled by the ratio found in the last run
     there = found["run_temperature_C"]
     of_statics = scene.at(there, 0.0)["power_loss_W"]
     assert found["run_over_statics"] == pytest.approx(found["run_power_W"] / of_statics, rel=1e-9)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of decks that change the input of an existing fix: groups that grow, and rings that belong
-to two fixes."""
+"""Tests of decks that change the input of an existing fix: groups that gain members, and rings that
+belong to two fixes."""
 
 import re
 
@@ -35,8 +35,8 @@ def deck(request):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_two_fixes_on_one_ring_are_refused(tmp_path, deck, ranks):
-    """Under fix bearing/implicit, the second fix once silently replaced the first, which resulted
-    in wrong loads and displacements."""
+    """Under `fix bearing/implicit`, the second fix once silently replaced the first, and loads and
+    displacements were wrong."""
     end = outcome(
         tmp_path, deck, "fix again inner bearing/ring spin speed 50\nrun 100\n", ranks=ranks
     )
@@ -58,8 +58,8 @@ def test_one_fix_after_another_on_one_ring(tmp_path, deck):
 
 @pytest.mark.parametrize("when", ["before the first run", "between two runs"])
 def test_balls_may_not_join_the_group_of_a_ring_fix(tmp_path, deck, when):
-    """All atoms of such a group once received the mass of the ring, and the values reported for the
-    ring were those of a ball."""
+    """Formerly, all atoms of such a group were assigned the mass of the ring, and the values
+    reported for the ring were those of a ball."""
     first = "run 20\n" if when == "between two runs" else ""
     end = outcome(tmp_path, deck, first + "group inner type 1\nrun 100\n")
     assert end.code != 0
@@ -72,10 +72,11 @@ def test_balls_may_not_join_the_group_of_a_ring_fix(tmp_path, deck, when):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_ring_that_joins_the_group_is_reported(tmp_path, deck, ranks):
-    """The report once had only as many rows as there were rings when the fix was created, and the
-    fix wrote beyond its last row.
+    """Formerly, the report had only as many rows as there were rings when the fix was created, and
+    the fix wrote beyond the last row.
 
-    Inner and outer ring now form one group; the outer ring has a row of its own, and moves.
+    In this test, the inner and outer rings form one group; the outer ring has a separate row, and
+    moves.
     """
     end = outcome(
         tmp_path,
@@ -94,7 +95,7 @@ def test_a_ring_that_joins_the_group_is_reported(tmp_path, deck, ranks):
 
 
 def test_a_second_bearing_joins_the_group(tmp_path, deck):
-    """The second bearing is created after the fix, and its inner ring is added to the group."""
+    """A second bearing is created after the fix, and its inner ring is added to the group."""
     wide = deck.replace("block -0.05 0.05", "block -0.05 0.3")
     second = (
         "create_bearing 1 none 2 3 balls 9 diameter 12.6e-3 speed 50.0 0 centre 0.2 0 0\n"
@@ -116,7 +117,7 @@ def test_a_second_bearing_joins_the_group(tmp_path, deck):
 
 
 def test_rows_of_a_group_that_grew_wait_for_the_next_run(tmp_path, deck):
-    """Until the next run begins, the report still covers the rings of the previous run."""
+    """Until the next run begins, the report still describes the rings of the previous run."""
     end = outcome(
         tmp_path,
         deck,

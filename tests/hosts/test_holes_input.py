@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of input that was once accepted, or rejected with the wrong message: values for bearings
-and lubricants, words that only C reads as numbers, and paths that are not files."""
+"""Tests of input that was once accepted, or rejected with the wrong message: bearing and lubricant
+data, words that only C reads as numbers, and paths that are not files."""
 
 import re
 
@@ -48,7 +48,7 @@ def test_every_number_has_a_range(tmp_path, name, value):
 
 
 def inputs(tmp_path, folder, name, text):
-    """Return a folder of inputs that contains one additional file."""
+    """Return an inputs folder that contains one additional file."""
     own = tmp_path / "inputs"
     own.mkdir()
     for path in (ROOT / "inputs").iterdir():
@@ -106,7 +106,7 @@ def test_names_of_folders(tmp_path, name):
 
 
 def test_a_file_called_like_an_option_stays(tmp_path):
-    """The host's own `rm` once interpreted a file named -f in the current folder as an option."""
+    """A file named -f in the current folder was once taken for an option by the host's `rm`."""
     for name in ("inputs",):
         (tmp_path / name).symlink_to(ROOT / name)
     (tmp_path / "-f").write_text("mine")
@@ -118,8 +118,8 @@ def test_a_file_called_like_an_option_stays(tmp_path):
 
 
 def test_a_file_that_the_checkpoint_sees_too_often(tmp_path):
-    """A file that is written every 200 steps but checked every 20 steps does not grow between
-    checks, which does not mean that the disk is full."""
+    """The file is written every 200 steps but checked every 20 steps, so it often does not grow
+    between checks; this does not mean that the disk is full."""
     deck = tmp_path / "in.often"
     text = (ROOT / "docs" / "decks" / "in.ehd").read_text()
     deck.write_text(

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of runs that once failed silently, or with the wrong message: contacts outside the range of
-validity, lost balls, steps without progress, restart files, and two processes that write to one
-folder."""
+"""Tests of runs that once failed silently or with the wrong message. They cover contacts outside
+their range of validity, lost balls, steps that make no progress, restart files, and two processes
+that write to one folder."""
 
 import os
 import re
@@ -49,7 +49,7 @@ def refused(end, message):
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_a_ball_that_leaves_the_box_is_missed(tmp_path, ranks):
     """LIGGGHTS once deleted balls without an error: 1 of 11 atoms was left, all results were 0, and
-    so was the exit code."""
+    the exit code was 0, too."""
     end = outcome(
         tmp_path,
         SMALLEST,
@@ -60,7 +60,7 @@ def test_a_ball_that_leaves_the_box_is_missed(tmp_path, ranks):
 
 
 def test_a_cage_without_rails(tmp_path):
-    """Cage balls once left the box without an error: after 200,000 steps 14 of 20 atoms were left,
+    """Cage balls once left the box without an error: after 200,000 steps, 14 of 20 atoms were left,
     and the exit code was 0."""
     deck = tmp_path / "in.norails"
     text = EHD.replace("fix rails cage bearing/cage 4\n", "").replace(" v_rails", "")
@@ -97,15 +97,15 @@ def test_a_step_that_vanishes_is_no_limit(tmp_path):
     ],
 )
 def test_limits_of_an_implicit_step(tmp_path, words, message):
-    """With the first setting, a step once never ended; with the second, the load was too large by a
-    factor of 2.7."""
+    """With the first setting, a step once never finished; with the second, the load was too large
+    by a factor of 2.7."""
     deck = IMPLICIT.replace("bearing/implicit", f"bearing/implicit {words}")
     refused(outcome(tmp_path, deck, "run 1\n", timeout=20), message)
 
 
 def test_a_cage_without_a_coefficient(tmp_path):
-    """If cage balls pass through balls because there is no coefficient, there is a warning; with a
-    coefficient there is none."""
+    """There is a warning if cage balls pass through the balls because a coefficient is missing, and
+    none if there is a coefficient."""
     for name, text in (
         ("without", EHD.replace("pair_coeff 1 2 sphere", "#")),
         ("with", EHD),
@@ -122,7 +122,7 @@ def test_a_cage_without_a_coefficient(tmp_path):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_an_ellipse_as_wide_as_the_groove(tmp_path, integrator):
-    """Under 300 kN, which `raceway static` rejected, a run once continued up to 10 GPa."""
+    """At a load of 300 kN, which `raceway static` rejected, a run once continued up to 10 GPa."""
     end = liggghts(
         "inputs/in.6208", out=tmp_path, load=3e5, integrator=integrator, timeout=120, **SHORT
     )
@@ -146,7 +146,7 @@ def test_pressure_beyond_iso_76(tmp_path):
 
 
 def test_an_ellipse_past_its_shoulder(tmp_path):
-    """If the deck gives the shoulder diameters, a run warns in the same way as `raceway
+    """If the deck specifies the shoulder diameters, a run prints the same warning as `raceway
     summary`."""
     words = dict(out=tmp_path, load=1.5e5, **SHORT)
     found = dict(doubts(succeed("inputs/in.6208", **words).text))
@@ -187,7 +187,7 @@ def test_a_film_thicker_than_its_contact_is_long(tmp_path):
 
 @pytest.mark.parametrize("capacitance", [True, False])
 def test_a_capacitance_of_a_film_that_conducts(tmp_path, capacitance):
-    """At 48 rpm, the lambda ratio of 0.3 causes a warning only if a capacitance is requested."""
+    """At 48 rpm, the lambda ratio of 0.3 causes a warning only if capacitances are requested."""
     text = EHD.replace("lubricant 0.040", "lubricant 0.001").replace("run 40000", "run 20000")
     if not capacitance:
         text = re.sub(r"fix cap .*|dump .*&\n.*|dump_modify .*| h_c capacitance| f_cap", "", text)
@@ -207,7 +207,7 @@ def test_a_usual_run_is_in_no_doubt(tmp_path):
 
 
 def test_restart_files_of_the_deck_are_its_own(tmp_path):
-    """The fix once accepted any restart file, and then crashed at the next step."""
+    """The fix once accepted any restart file, and the run then crashed at the next step."""
     end = outcome(
         tmp_path,
         SMALLEST,
@@ -249,7 +249,7 @@ run 100
 
 @pytest.mark.parametrize("sanitized", [False, True])
 def test_a_checkpoint_of_nothing_but_the_run(tmp_path, sanitized):
-    """If there are no counters and no files, nothing is copied from a null pointer."""
+    """If there are neither counters nor files, nothing is copied from a null pointer."""
     if sanitized and not HOSTS["sanitized"][0].exists():
         pytest.fail("build/sanitized/liggghts is missing: run make sanitized", pytrace=False)
     file = tmp_path / "ck"
@@ -264,8 +264,8 @@ def test_a_checkpoint_of_nothing_but_the_run(tmp_path, sanitized):
 
 @pytest.fixture(scope="module")
 def stopped(tmp_path_factory):
-    """Return the folder of a run that received SIGTERM during its measurement; tests work on a
-    copy."""
+    """Return the folder of a run that received SIGTERM during its measurement phase; tests work on
+    a copy of it."""
     out = tmp_path_factory.mktemp("stopped") / "run"
     process = start({"passes": 40, "samples": 100, "keep": 20}, out)
     end = time.monotonic() + 60
@@ -278,8 +278,7 @@ def stopped(tmp_path_factory):
 
 
 def test_every_flipped_bit_of_a_restart_file_is_noticed(stopped, tmp_path):
-    """The restart format of the host has no checksum, so 33 of 77 damaged files once went
-    undetected."""
+    """The host's restart format has no checksum, so 33 of 77 damaged files once went undetected."""
     out = tmp_path / "run"
     shutil.copytree(stopped, out)
     good = (out / "restart").read_bytes()
@@ -300,7 +299,7 @@ def test_every_flipped_bit_of_a_restart_file_is_noticed(stopped, tmp_path):
 @pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
 def test_two_runs_in_one_folder(tmp_path, host):
     """The second run reports which process is writing to the folder, and the first run is not
-    affected. When the first process is killed, the folder is released at once."""
+    affected. When the first process is killed, the folder is free again at once."""
     out = tmp_path / "run"
     program, _ = HOSTS[host]
     deck = tmp_path / "in.waits"

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Processors without AVX2 evaluate contacts with different code, which is generated from the same
-formulas, and the results are bitwise identical. That code calls the law part by part, whereas in
-the code for AVX2 the laws of `models` are inlined.
+formulas, and the results are bitwise identical. That code calls the contact law part by part,
+whereas the AVX2 code contains inlined laws for the named `models`.
 
-The variable RACEWAY_NARROW_LANES selects that code on processors with AVX2 (docs/design).
+The environment variable RACEWAY_NARROW_LANES selects that code on AVX2 processors (docs/design).
 """
 
 import ctypes

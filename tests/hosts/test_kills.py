@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""If a run is stopped or killed at a random moment and then resumed, its results are bitwise
+"""The results of a run that is stopped or killed at a random moment and then resumed are bitwise
 identical to those of an uninterrupted run. `kills.py` repeats this test fifty times."""
 
 import random

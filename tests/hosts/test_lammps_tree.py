@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Raceway is installed as a package in a LAMMPS source tree, is rejected in an unsuitable tree, and
-can be removed. The trees in this file contain only those files that the installer inspects;
+"""Raceway can be installed as a package in a LAMMPS source tree and removed again; unsuitable trees
+are rejected. The trees in this file contain only the files that the installer inspects;
 own_lammps.py uses a complete tree."""
 
 import subprocess
@@ -125,7 +125,7 @@ def test_a_file_changed_since(tree):
 
 
 def test_package_that_is_in_use(tree):
-    """`make yes-raceway` has copied the package to src, so it is in use."""
+    """The package counts as in use, because `make yes-raceway` has copied it to src."""
     assert make("install", tree)[0] == 0
     (tree / "src" / "create_bearing.cpp").touch()
     refused(tree, "no-raceway first", what="uninstall")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The results of Raceway installed in an upstream LIGGGHTS source tree are bitwise identical to
-those with Debian's library. The installation is rejected in an unsuitable tree, and can be
-removed."""
+"""Results of Raceway installed in an upstream LIGGGHTS source tree are bitwise identical to those
+with Debian's library. Raceway can be removed from the tree again, and unsuitable trees are
+rejected."""
 
 import os
 import shutil
@@ -40,7 +40,7 @@ def contents(tree):
 
 @pytest.fixture(scope="module")
 def upstream(tmp_path_factory):
-    """Return the upstream sources that the tests use: all of src without its packages,
+    """Return the upstream sources that the tests use: everything in src except for its packages,
     unmodified."""
     whole = unpacked(tmp_path_factory.mktemp("upstream") / "liggghts")
     tree = tmp_path_factory.mktemp("small")
@@ -137,7 +137,7 @@ def test_another_change_of_a_patched_file_is_kept(tree):
 
 def test_an_interrupted_installation_is_taken_out(tree):
     """If an installation is killed half-way, the files installed so far can be removed, because the
-    manifest is written before them."""
+    manifest is written before any other file."""
     before = contents(tree)
     assert make("install", tree)[0] == 0
     for name in ("film.h", "create_bearing.cpp"):
@@ -148,7 +148,8 @@ def test_an_interrupted_installation_is_taken_out(tree):
 
 
 def test_a_failure_half_way_leaves_nothing(tree):
-    """One of the last files cannot be written, because a folder that is not empty has its name."""
+    """One of the last files cannot be written, because there is a non-empty folder with the same
+    name."""
     (tree / "src" / "finish.cpp.raceway-new").mkdir()
     (tree / "src" / "finish.cpp.raceway-new" / "x").write_text("x")
     refused(tree, "removed again")
@@ -168,7 +169,7 @@ def test_patches_keep_the_times_of_files(tree):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_main_deck_has_the_same_bits(tmp_path, integrator):
-    """A few passes of the main deck at high speed agree in every column of every sample."""
+    """For a few passes of the main deck at high speed, every column of every sample agrees."""
     case = {"integrator": integrator, "rpm": 20000, "passes": 1, "samples": 20, "dumps": "yes"}
     succeed("inputs/in.6208", out=tmp_path / "debian", **case)
     succeed("inputs/in.6208", program=PROGRAM, out=tmp_path / "tree", **case)
@@ -181,7 +182,7 @@ def test_main_deck_has_the_same_bits(tmp_path, integrator):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_transient_has_the_same_bits(tmp_path, ranks):
-    """All digits agree if the rings are free to tilt, both on one rank and on two."""
+    """With rings that are free to tilt, all digits agree, both on one rank and on two."""
     succeed("tests/hosts/in.bits", out=tmp_path / "debian", tilt="free")
     succeed("tests/hosts/in.bits", program=PROGRAM, ranks=ranks, out=tmp_path / "tree", tilt="free")
     for name in ("contacts.dump", "balls.dump"):
@@ -199,8 +200,8 @@ def test_it_is_the_tree_that_ran(tmp_path):
 
 
 def test_sources_of_apt_in_one_line(tmp_path):
-    """The private apt sources are derived from the sources of the machine, whichever format these
-    have; other suites and repositories are left out."""
+    """The private apt sources are derived from those of the machine in either of their formats;
+    other suites and repositories are left out."""
     (tmp_path / "sources.list").write_text(
         "# deb x\ndeb [arch=amd64 signed-by=/k.gpg] http://m/debian bookworm main contrib\n"
         "deb http://m/debian bookworm-updates main\ndeb http://n/x nodistro main\n"

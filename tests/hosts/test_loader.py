@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The styles are available however LIGGGHTS is started: after `clear`, with LD_PRELOAD, in
-partitions, and from Python."""
+"""The styles are available regardless of how LIGGGHTS is started: after `clear`, with LD_PRELOAD,
+in partitions, and from Python."""
 
 import os
 import subprocess
@@ -12,8 +12,8 @@ from host import FORMATS, ROOT, frames, succeed
 
 
 def test_clear(tmp_path):
-    """The results for the second bearing in a script, after `clear`, are bitwise identical to those
-    for the first."""
+    """Results for the second bearing in a script, after `clear`, are bitwise identical to those for
+    the first."""
     deck = tmp_path / "in.clear"
     deck.write_text(
         f"variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
@@ -25,7 +25,7 @@ def test_clear(tmp_path):
 
 def test_partition(tmp_path):
     """Two partitions run two lubricants at the same time (universe variables), and the results of
-    each are bitwise identical to those of a separate run."""
+    each partition are bitwise identical to those of a separate run."""
     deck = tmp_path / "in.partition"
     deck.write_text(
         "variable lubricant universe mineral pao48\nvariable out index"
@@ -74,8 +74,8 @@ def test_preload_into_the_stock_program(program, host, styles, tmp_path):
 
 
 def test_from_python(tmp_path):
-    """The library is loaded with ctypes (docs: "From Python"), and runs the deck through its C
-    interface."""
+    """The library is loaded with ctypes (as in "From Python" in docs), and runs the deck through
+    its C interface."""
     script = textwrap.dedent("""
         import ctypes, sys
         lib = ctypes.CDLL(sys.argv[1], mode=ctypes.RTLD_GLOBAL)

@@ -25,7 +25,7 @@ def test_finished_run_stays(tmp_path, deck):
 
 
 def test_finished_run_that_cannot_go_on(tmp_path):
-    """The run has no restart file, for example because an older version made it."""
+    """The run has no restart file, for example because it was made by an older version."""
     succeed(DECK, out=tmp_path, **SHORT)
     (tmp_path / "restart").unlink()
     failed = liggghts(DECK, out=tmp_path, resume="yes", **SHORT)
@@ -36,8 +36,8 @@ def test_finished_run_that_cannot_go_on(tmp_path):
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_more_passes(tmp_path, host, integrator):
-    """The output of the continued run is identical, byte for byte, to that of a run that had this
-    length from the start."""
+    """The output of the continued run is identical, byte for byte, to that of a run that was this
+    long from the start."""
     scene = {**SHORT, "integrator": integrator, "dumps": "yes", "unbalance": 1e-5}
     succeed(DECK, host=host, out=tmp_path / "whole", **{**scene, "passes": 5})
     for passes in (2, 3, 5):

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Many bearings in one box: for each bearing, the results are bitwise identical to those of a run
+"""Many bearings in one box: the results for each bearing are bitwise identical to those of a run
 with this bearing alone, on any number of ranks and for any cut of the box.
 
-Twelve bearings are arranged in three columns. They have different loads, speeds and initial
-azimuths, and two alternating lubricants. The cut between two ranks lies between rows of bearings.
-The cuts between three ranks pass through two rows, and those between four ranks through the middle
-column, i.e. through rings, balls and cages.
+Twelve bearings are arranged in three columns. Their loads, speeds and initial azimuths differ, and
+two lubricants alternate. Between two ranks, the box is cut between rows of bearings. Between three
+ranks, the cuts pass through two rows, and between four ranks through the middle column, i.e.
+through rings, balls and cages.
 """
 
 import re
@@ -33,7 +33,7 @@ BEARINGS = {"bearings": 12, "columns": 3}
 
 
 def fleet(folder):
-    """Return {bearing: (its inner ring, load, rpm, lubricant)}."""
+    """Return a dict that maps each bearing to (inner ring, load, rpm, lubricant)."""
     lines = (folder / "fleet.txt").read_text().splitlines()
     oils = dict(re.findall(r"^# kind (\d+): (\S+)$", "\n".join(lines), flags=re.M))
     rows = [line.split() for line in lines if line[0] != "#"]
@@ -41,7 +41,8 @@ def fleet(folder):
 
 
 def table(folder, ring):
-    """Return {step: columns of the row for an inner ring, without the first column}."""
+    """Return a dict that maps each step to the columns, except for the first, of the row for an
+    inner ring."""
     found = {}
     for step, rows in frames(folder / "bearings.dump").items():
         mine = [row.split()[1:] for row in rows if int(row.split()[0]) == ring]
@@ -51,14 +52,14 @@ def table(folder, ring):
 
 
 def variables(folder):
-    """Return {name: bytes} for all variables of a record."""
+    """Return a dict that maps the name of each variable in a record to its bytes."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         return {name: one.data.tobytes() for name, one in file.variables.items()}
 
 
 def atoms(folder, ring):
-    """Return the last state of the atoms of the bearing with the inner ring `ring`, in their
-    original order."""
+    """Return the last state of the atoms that belong to the bearing with the inner ring `ring`, in
+    their original order."""
     last = (ring + 1 - ATOMS, ring + 1)
     (rows,) = frames(folder / "last.dump").values()
     mine = sorted(
@@ -87,7 +88,7 @@ def test_scene_is_worth_comparing(scene):
     for ring, load, rpm, _ in them.values():
         row = [float(word) for word in table(folder, ring)[max(table(folder, ring))]]
         assert row[2] == pytest.approx(rpm * 3.14159265358979 / 30, rel=1e-5)  # spin, rad/s
-        assert 0.5 * load < row[4] < 1.5 * load  # N, carried by the contacts at this time
+        assert 0.5 * load < row[4] < 1.5 * load  # N, load on the contacts at this time
         assert row[14] > 1e-11  # F
 
 
@@ -102,7 +103,7 @@ def test_ranks(scene, ranks, tmp_path):
 
 @pytest.mark.parametrize("host, ranks", [("lammps", 1), ("wheel", 2)])
 def test_hosts(tmp_path, host, ranks):
-    """In every host, the rows of the table and the samples of the record are the same."""
+    """The rows of the table and the samples of the record are the same in every host."""
     words = {"bearings": 4, "columns": 2, "time": 2e-3, "record": "all"}
     for folder, where in (("one", {}), ("other", dict(host=host, ranks=ranks))):
         succeed("inputs/in.many", out=tmp_path / folder, **where, **words)
@@ -115,8 +116,8 @@ def test_hosts(tmp_path, host, ranks):
 
 @pytest.mark.parametrize("number, ranks", [(1, 1), (5, 3), (8, 1), (11, 4)])
 def test_alone(scene, number, ranks, tmp_path):
-    """With four ranks, cuts pass through bearings 5 and 8 in the middle column. In the runs of a
-    single bearing, these bearings have the same position in the same box."""
+    """On four ranks, the cuts pass through bearings 5 and 8 in the middle column. In the
+    single-bearing runs, these bearings are at the same position in the same box."""
     variables, folder = scene
     succeed(DECK, ranks=ranks, out=tmp_path, only=number, **variables)
     (alone,) = fleet(tmp_path).values()
@@ -127,8 +128,8 @@ def test_alone(scene, number, ranks, tmp_path):
 
 
 def test_table_against_the_contacts(tmp_path):
-    """Sums and extremes in a row match the contact table of the ring, and force and torque match
-    the values of fix bearing/ring."""
+    """Sums and extremes in a row match the contact table of the ring, and its force and torque
+    match the values of `fix bearing/ring`."""
     deck = tmp_path / "in.check"
     deck.write_text(f"""
 variable out index {tmp_path}
@@ -164,14 +165,14 @@ run 1
         assert {c[1] for c in mine} == {0.0} and len(mine) == live > 2
         assert load == max(c[2] for c in mine) and pressure == max(c[3] for c in mine)
         assert h_min == min(c[4] for c in mine) and film == min(c[5] for c in mine)
-    # the two capacitors of each ball are in series, and the balls are added up; the second
-    # capacitors belong to the outer ring (the next tag), and are in the same order
+    # the two capacitors of each ball are in series, and all balls are in parallel; the second
+    # capacitors belong to the outer ring (the next tag), and are listed in the same order
     for row in rows:
         inner = [c[7] for c in contacts if c[0] == row[0]]
         outer = [c[7] for c in contacts if c[0] == row[0] + 1]
         assert max(inner) / 2 < row[10] < sum(inner) and row[10] < sum(outer)
     digits = pytest.approx
-    # one value has 12 digits, the other was printed by the host with the precision of %g
+    # one value has 12 digits; the other was printed by the host in %g format
     assert rows[0][2] == digits(said[0], rel=1e-9, abs=1e-9)
     assert rows[3][3] == digits(said[1], rel=1e-9)
     assert rows[3][1] == digits(said[2], rel=1e-9)
@@ -211,7 +212,7 @@ write_dump all custom OUT id x y z vx vy vz omegax omegay omegaz modify &
 
 
 def one_ring(**words):
-    """Return the deck `ONE_RING` with the names in capitals replaced by `words`."""
+    """Return the deck `ONE_RING` with the words in capitals replaced by `words`."""
     text = ONE_RING
     for name, word in words.items():
         text = text.replace(name.upper(), str(word))
@@ -224,8 +225,8 @@ def one_ring(**words):
     ids=["implicit", "verlet"],
 )
 def test_a_value_of_its_own_is_the_number(move, step, tmp_path):
-    """Loads, speeds and positions from atom-style variables are bitwise equivalent to plain
-    numbers."""
+    """The results for loads, speeds and positions from atom-style variables are bitwise identical
+    to those for plain numbers."""
     by = {
         "number": {"spin": 50, "tilt": 1e-4, "load": -2000, "moment": 50},
         "variable": {"spin": "v_spin", "tilt": "v_tilt", "load": "v_force", "moment": "v_spin"},
@@ -286,7 +287,7 @@ def test_mistakes(words, message, tmp_path):
 
 
 def test_oils_in_turn(tmp_path):
-    """If seven bearings use three oils, the record contains the viscosity for each bearing."""
+    """If seven bearings use three oils, the record contains the viscosity of the oil in each."""
     oils = ["mineral", "vg68", "vg46"]
     words = {"bearings": 7, "columns": 3, "time": 1e-3, "kinds": 3, "lubricant": oils}
     succeed("inputs/in.many", out=tmp_path, **words)
@@ -299,8 +300,8 @@ def test_oils_in_turn(tmp_path):
 
 
 def test_alike(tmp_path):
-    """The results for every bearing equal those for the first, because load, speed and azimuth are
-    the same."""
+    """Results for all bearings are equal to those for the first, because load, speed and azimuth
+    are the same."""
     words = {"bearings": 2, "columns": 2, "fleet": "alike", "lubricant": "vg46", "phase": 0.3}
     succeed(DECK, out=tmp_path, time=2e-3, **words)
     one, other = fleet(tmp_path).values()
@@ -308,7 +309,7 @@ def test_alike(tmp_path):
 
 
 def test_surroundings(tmp_path):
-    """The record contains the capacitances, and the motion and the table do not change."""
+    """The record contains the capacitances; the motion and the table do not change."""
     short = {"bearings": 2, "columns": 2, "time": 2e-3}
     runs = {}
     for word in ("none", "cavitated"):
@@ -327,7 +328,7 @@ def test_surroundings(tmp_path):
 
 
 def test_starved_as_alone(tmp_path):
-    """The starvation factor depends on the nominal speed, and not on which bearing comes first."""
+    """The starvation factor depends on the nominal speed, but not on which bearing comes first."""
     for only in (0, 2):
         succeed(DECK, out=tmp_path / str(only), only=only, models="full", time=2e-3, **BEARINGS)
     ring = fleet(tmp_path / "0")[2][0]
@@ -336,7 +337,7 @@ def test_starved_as_alone(tmp_path):
 
 
 def test_one_oil_in_lammps(tmp_path):
-    """With a single oil, LAMMPS once crashed in its own reader."""
+    """With a single oil, LAMMPS once crashed in its own input reader."""
     words = {"bearings": 4, "time": 5e-4, "sample": 2.5e-4, "lubricant": "vg46"}
     succeed("inputs/in.many", host="lammps", out=tmp_path, **words)
     assert [oil for *_, oil in fleet(tmp_path).values()] == 4 * ["vg46"]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Data of bearings and oils that plain decks obtain by name equal the data that Python reads:
-default data, rows of a table, a user's files, and an oil at its temperature."""
+"""Bearing and oil data that plain decks obtain by name equal the data that Python reads: default
+data, rows of a table, a user's files, and oils at a given temperature."""
 
 import math
 
@@ -42,7 +42,7 @@ run 0
 
 
 def told(tmp_path, names, head=HEAD, **words):
-    """Return {name: text} for the variables b_NAME of the deck."""
+    """Return a dict that maps each of `names` to the text of the deck variable b_NAME."""
     deck = tmp_path / "in.deck"
     deck.write_text(head + "".join(f'print "IS {name} ${{b_{name}}}"\n' for name in names))
     lines = succeed(deck, **words).text.splitlines()
@@ -92,8 +92,8 @@ def test_what_is_given_stays(tmp_path):
 
 @pytest.mark.parametrize("name", ["6210", "7205B", "7010AC"])
 def test_row_is_a_file(tmp_path, name):
-    """A table row used on two ranks, and the file that `raceway catalogue --file` writes for it,
-    give every variable the same text."""
+    """A table row, used on two ranks, and the file that `raceway catalogue --file` writes for this
+    row give every variable the same text."""
     path = tmp_path / name
     path.write_text(inputs.text(catalogue.find("bearings", name, ROOT / "inputs")))
     names = ("balls", "ball_diameter", "inner_radius", "outer_groove", "cage_ball_diameter")
@@ -103,7 +103,7 @@ def test_row_is_a_file(tmp_path, name):
 
 
 def test_four_point(tmp_path):
-    """The record contains groove radii that include the arch, and the offset of the arch."""
+    """The record contains the offset of the arch, and groove radii that account for it."""
     record = recorded(tmp_path, four_point=35, clearance=4e-6)
     bearing = inputs.bearing(BEARINGS / "6208", four_point=math.radians(35))
     for side, play in (("inner", 0.0), ("outer", 2e-6)):
@@ -115,8 +115,8 @@ def test_four_point(tmp_path):
 @pytest.mark.parametrize("warm", [-20.0, 70.0])
 @pytest.mark.parametrize("name", ["vg32", "vg46", "vg68", "vg100", "pao8", "grease110"])
 def test_oils_at_a_temperature(tmp_path, name, warm):
-    """The pair style receives the viscosity by Walther's or Vogel's equation, and the other data of
-    the oil."""
+    """The pair style receives the viscosity according to Walther's or Vogel's equation, and the
+    other data of the oil."""
     record = recorded(tmp_path, lubricant=name, temperature=warm)
     oil = inputs.fluid(OILS / name, warm)
     assert record.fixed("viscosity")[0] == pytest.approx(oil.viscosity, rel=1e-14)

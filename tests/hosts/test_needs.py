@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of `raceway needs` with the real program: its recommendations for random scenes are
-compared with separate runs."""
+"""Tests of `raceway needs` with the real program: the settings that it recommends for random scenes
+are compared with separate runs."""
 
 import json
 import random
@@ -16,7 +16,7 @@ from raceway.sweeps.scene_parts import REFERENCE, choices, sets, variables
 SEED = 16
 SHORT = {"passes": "1", "settle": "1"}
 WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
-# options that are kept in the second scene to save time
+# options that are kept in the second scene in order to save time
 FEW = ["asperities", "differential_slip", "drag", "inlet_shear", "record", "rolling", "samples"]
 FEW += ["rolling_hysteresis", "film_branch", "spin", "damping", "relative 5e-4", "starvation"]
 FEW += ["cage"]
@@ -53,8 +53,8 @@ def answered(request, tmp_path_factory):
 
 @pytest.fixture
 def undrawn(monkeypatch):
-    """Run from the root without drawing the picture, which takes a second and which `answered`
-    draws."""
+    """Run from the root without drawing the picture, which takes a second and is already drawn in
+    `answered`."""
     monkeypatch.chdir(ROOT)
     monkeypatch.setattr("raceway.pictures.needs.picture", lambda found, path: None)
 
@@ -64,8 +64,8 @@ def figures(folder):
 
 
 def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
-    """Two runs are started by hand: one with the full model, with finer settings than the command's
-    reference, and one with the settings that the command recommends."""
+    """Two runs are started by hand: one of the full model, with finer settings than the reference
+    run of the command, and one with the settings that the command recommends."""
     own, found, _ = answered
     assert found["wanted"] == WANTED
     finer = {**REFERENCE, "tolerance": "1e-11", "samples": 500}
@@ -87,8 +87,8 @@ def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
 
 
 def test_warnings_of_the_reference(undrawn, tmp_path, capsys):
-    """The warnings are those of the reference run, here for a 7205B under a purely radial load,
-    with one part that may be omitted."""
+    """The warnings are those of the reference run, here for a 7205B under a purely radial load with
+    one part that may be omitted."""
     own = words({**SHORT, "bearing": "7205B", "load": "1000", "rpm": "3000"})
     keep = sorted({one.name for one in choices({}, True)} - {"drag"})
     assert main(["needs", "inputs/in.6208", *own, "--keep", *keep, "--out", str(tmp_path)]) == 0
@@ -118,8 +118,8 @@ def test_effects_are_those_of_the_runs(answered, tmp_path):
         assert rows["gap"]["errors"][word] == pytest.approx(
             abs(without[word] / value - 1), rel=1e-9, abs=1e-12
         )
-    # the ellipses alone are far from the total capacitance, but motion and film do not depend on
-    # them
+    # the capacitance of the ellipses alone is far from the total, but motion and films do not
+    # depend on the difference
     errors = rows["surroundings"]["errors"]
     assert errors["capacitance"] > 0.1
     assert {value for word, value in errors.items() if word != "capacitance"} == {0.0}
@@ -167,7 +167,7 @@ def test_mistakes(tmp_path, monkeypatch, capsys):
 
 
 def test_sets():
-    """A set contains at most one part of each group, and no part that its models do not have."""
+    """A set contains at most one part from each group, and only parts that its models have."""
     known = choices({}, True)
     every = sets([one for one in known if one.name not in ("cage", "surroundings", "spin")])
     names = [{choice.name for choice in picked} for picked in every]
@@ -181,7 +181,7 @@ def test_sets():
     picked = tuple(one for one in known if one.name in ("gap", "drag", "samples 40"))
     assert variables(picked) == {**REFERENCE, "samples": "40", "without": "gap+drag"}
     assert all("film" not in choice.name for choice in choices({}, False))
-    # a scene with these settings leaves nothing to choose
+    # in a scene with these settings, there is nothing to choose
     chosen = {"cage": "no", "surroundings": "none", "load": "5000", "settle": "auto"}
     gone = {one.name for one in known} - {one.name for one in choices(chosen, True)}
     assert gone == {"cage", "surroundings"}
@@ -189,7 +189,7 @@ def test_sets():
 
 
 def test_parts_of_a_cage_ring_are_choices():
-    """Parts of a one-piece cage are choices, but the parts of a land only if a land guides the
+    """Parts of a one-piece cage are choices; parts of a land are choices only if a land guides the
     cage."""
 
     def parts(**scene):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The order of the fixes in a deck is checked where it matters, and has no effect elsewhere."""
+"""The order of the fixes in a deck is checked where it matters, and has no effect otherwise."""
 
 import re
 
@@ -42,8 +42,8 @@ def test_a_checkpoint_that_samples_comes_after_the_capacitance(tmp_path, first):
 
 @pytest.mark.parametrize("before", [True, False], ids=["before the ring fix", "after it"])
 def test_the_report_of_a_ring_holds_contacts_alone(tmp_path, before):
-    """A force that another fix adds to a ring is not included in the ball force, regardless of the
-    position of this fix in the deck."""
+    """A force that another fix adds to a ring is not included in the ball force, regardless of
+    where that fix is in the deck."""
     push = "fix push inner addforce 0.0 0.0 7.0\n"
     deck = SMALLEST.replace(RING, push + RING if before else RING + push)
     deck = deck.replace(

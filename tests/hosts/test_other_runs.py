@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Restart files written by another run or another build are rejected, with a message that states
-the cause."""
+"""Restart files from a different run or a different build are rejected with a message that states
+the reason."""
 
 import re
 
@@ -28,7 +28,7 @@ REFUSED = {
 
 @pytest.mark.parametrize("host", HOSTS)
 def test_formulas(host, tmp_path):
-    """A run must be continued with the same formulas with which it began. This includes formulas of
+    """A run must be continued with the formulas with which it began. This includes the formulas of
     variables that appear only in other formulas."""
     deck, kept = tmp_path / "in.deck", tmp_path / "kept"
     keep = f"fix keep all bearing/checkpoint 100 {tmp_path}/run"
@@ -47,7 +47,7 @@ def test_formulas(host, tmp_path):
 
 @pytest.mark.parametrize("host", HOSTS)
 def test_builds(host, tmp_path):
-    """The layout of restart files has a number, which is missing in files written by earlier
+    """Restart files contain a number for their layout, which is missing in files written by earlier
     builds."""
     deck, kept = tmp_path / "in.deck", tmp_path / "kept"
     deck.write_text(BOX + BEARING + MOVES + RUN + f"write_restart {kept}\n")
@@ -69,5 +69,5 @@ def test_builds(host, tmp_path):
     for content in (whole[: number + 8], whole[: number - 2], claims):
         kept.write_bytes(content)
         end = run(deck, host=host)
-        # the last release of LAMMPS checks the end of the file before the styles do
+        # the latest release of LAMMPS checks the end of the file before the styles read it
         assert end.code != 0 and re.search("is damaged|Incomplete or corrupted", end.error)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A user's deck: two bearings with the axis along x, a bearing and an oil that are not in any
+"""A user's deck with two bearings whose axis is along x, a bearing and an oil that are not in any
 table, and deck variables whose names have another meaning in the package."""
 
 import pytest
@@ -56,7 +56,8 @@ def words(values):
 
 @pytest.fixture
 def deck(tmp_path):
-    """Return a function that writes the deck with the user's lines `own` and returns its path."""
+    """Return a function that writes the deck with the user's lines `own` and returns the deck's
+    path."""
     (tmp_path / "bearing").write_text(words(BEARING))
     (tmp_path / "oil").write_text(words(OIL))
 
@@ -70,7 +71,7 @@ def deck(tmp_path):
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
 def test_names_of_another_meaning(deck, tmp_path, host):
-    """Variables that are not passed to a command have no range, and bearing data that were set by
+    """A variable that is not passed to a command has no range, and bearing data that a deck sets by
     accident are reported."""
     own = {"step": 5, "keep": "left", "time": "noon", "rpm": -30, "load_azimuth": "up"}
     quiet = succeed(deck(words(own)), host=host).text
@@ -100,7 +101,7 @@ def test_data_in_another_format(deck, tmp_path):
 
 
 def test_sweep(deck, tmp_path, monkeypatch):
-    """In a sweep, values may be paths of files, and the deck need not be able to resume."""
+    """In a sweep, values may be file paths, and the deck need not support resuming."""
     monkeypatch.chdir(ROOT)
     lines = [line for line in DECK.splitlines() if " z" not in line and "_z" not in line]
     path = deck(text="\n".join(lines).replace("create_box 8", "create_box 4") + "\n")

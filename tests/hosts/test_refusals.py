@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Fixes that may change the motion, the box or the timestep are rejected with an error that names
-them; other fixes are allowed."""
+the fix; all other fixes are allowed."""
 
 import pytest
 from host import BOX, run
@@ -32,7 +32,7 @@ timestep 1e-5
 )
 EVERYWHERE, LAMMPS, WHEEL = ("liggghts", "lammps", "wheel"), ("lammps", "wheel"), ("wheel",)
 MAY = "which may change their motion"
-# {words of a fix on the atoms of fix bearing/implicit: (text of the error, hosts that have it)}
+# {words of a fix on the atoms of fix bearing/implicit: (error message, hosts that have this fix)}
 FIXES = {
     "nve/sphere": ("which moves them too", EVERYWHERE),
     "addforce 1 0 0": ("which adds forces", EVERYWHERE),
@@ -78,8 +78,7 @@ def test_fixes_beside_the_implicit_step(tmp_path, host, words):
 
 @pytest.mark.parametrize("clearance, ends", [(4.5e-4, False), (8e-4, False), (1e-3, True)])
 def test_free_play_beyond_the_far_side_of_the_grooves(tmp_path, clearance, ends):
-    """For a ball on the side opposite the load, the overlap would have to be 2 (r_c - R_b) =
-    5.04e-4 m."""
+    """A ball on the side opposite the load would have to overlap by 2 (r_c - R_b) = 5.04e-4 m."""
     end = run("inputs/in.6208", out=tmp_path / "run", clearance=clearance, passes=1, samples=20)
     assert (end.code != 0) == ("on the far side of the groove" in end.error) == ends, end.text
 
@@ -87,8 +86,8 @@ def test_free_play_beyond_the_far_side_of_the_grooves(tmp_path, clearance, ends)
 @pytest.mark.parametrize("gap, weight, ends", [(0, 0, False), (0, 9.81, True), (1e-3, 0, False)])
 @pytest.mark.parametrize("mover", ["bearing/implicit", "nve/sphere"])
 def test_cage_that_falls_inwards(tmp_path, mover, gap, weight, ends):
-    """At 20 rad/s, the rails cannot carry the weight of the cage, because their gap acts as
-    play."""
+    """At 20 rad/s, the rails cannot carry the weight of the cage, because the gap between them acts
+    as play."""
     step, turn = (1e-5, 2500) if mover == "bearing/implicit" else (1e-6, 25000)
     atoms = "all" if mover == "bearing/implicit" else "free"
     deck = CAGED.format(gap=gap, weight=weight) + f"fix move {atoms} {mover}\n"
@@ -99,8 +98,8 @@ def test_cage_that_falls_inwards(tmp_path, mover, gap, weight, ends):
 
 @pytest.mark.parametrize("host", EVERYWHERE)
 def test_types_that_no_pair_coeff_names(tmp_path, host):
-    """There is a single warning for all atoms, even if a second run follows. Under fix
-    bearing/implicit it is an error."""
+    """There is a single warning for all atoms, even if a second run follows. It is an error
+    under `fix bearing/implicit`."""
     grains = "".join(
         f"create_atoms {t} single 0 0 0.0{t} units box\nset type {t} diameter 1e-3 density 1000\n"
         for t in (2, 5)
@@ -129,7 +128,8 @@ def test_values_of_variables(tmp_path, deck, name, value):
 
 
 def test_resume(tmp_path):
-    """A run cannot be resumed with fewer passes than it already has, or in another host."""
+    """A run can be resumed neither with fewer passes than it has already made, nor in another
+    host."""
     assert run("inputs/in.6208", out=tmp_path, **SHORT | {"passes": 2}).code == 0
     for host, message in {
         "liggghts": "beyond these passes",

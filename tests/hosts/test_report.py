@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway report` writes one self-contained HTML page, for a run or for a sweep."""
+"""`raceway report` writes one self-contained HTML page for a run or a sweep."""
 
 import json
 import re
@@ -51,7 +51,8 @@ window.addEventListener("load", () => {
 
 
 class Parsed(HTMLParser):
-    """The tags of a page with their attributes, the scripts with data by id, and the text."""
+    """The tags of a page with their attributes, the contents of its data scripts keyed by id, and
+    its text."""
 
     def __init__(self, page):
         super().__init__()
@@ -73,7 +74,7 @@ class Parsed(HTMLParser):
 def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("report") / "a<b>&c"
     succeed("inputs/in.6208", out=folder.with_name("run"), lubricant="vg68", **SCENE)
-    folder.with_name("run").rename(folder)  # the name has characters that are special in HTML
+    folder.with_name("run").rename(folder)  # the name contains characters that are special in HTML
     assert main(["report", str(folder)]) == 0
     return folder
 
@@ -98,7 +99,7 @@ def test_page_of_a_run(folder):
     for row in cells(shown(figures), TOPICS, others=others):
         for cell in row:
             assert cell in page.text
-    assert figures["warnings"]  # 30 kN cause a pressure of more than 4.2 GPa
+    assert figures["warnings"]  # a load of 30 kN causes a pressure of more than 4.2 GPa
     for warning in figures["warnings"]:
         assert warning in page.text
     load = next(c for c in page.data.values() if c["y"] == "kN" and len(c["lines"]) == 2)
@@ -109,7 +110,7 @@ def test_page_of_a_run(folder):
     assert [tag for tag, _ in page.tags].count("img") == 1
     assert len(page.data) >= 11
     losses = next(c for c in page.data.values() if len(c["lines"]) > 2)
-    assert all(any(line["values"]) for line in losses["lines"])  # no line of a loss that is absent
+    assert all(any(line["values"]) for line in losses["lines"])  # no line for a loss that is zero
 
 
 def test_page_loads_nothing(folder, sweep):
@@ -161,8 +162,8 @@ def test_record_without_contacts(tmp_path, capsys):
 
 @pytest.mark.skipif(shutil.which("chromium") is None, reason="chromium is not installed")
 def test_in_a_browser(folder, sweep, tmp_path):
-    """Debian's Chromium draws the charts. Dragging a frame zooms in, a double click resets the
-    zoom, the mouse reads values, and a menu selects an axis."""
+    """Debian's Chromium draws the charts. Dragging a rectangle zooms in, a double click resets the
+    zoom, moving the mouse shows values, and a menu selects the axis."""
     for number, path in enumerate((folder / "report.html", sweep / "page.html")):
         page = tmp_path / f"{number}.html"
         page.write_text(path.read_text().replace("</body>", ACTIONS + "</body>"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run can be continued only with the data with which it began."""
+"""A run can be continued only with the same data with which it began."""
 
 import math
 import shutil
@@ -23,7 +23,7 @@ DATA = {
 
 
 def table(height):
-    """Return a table of twelve points of a raceway: azimuth in rad and height in m."""
+    """Return a table with twelve points of a raceway: azimuth in rad and height in m."""
     return "".join(f"{math.pi * k / 6:.12f} {height * (k % 2)}\n" for k in range(12))
 
 

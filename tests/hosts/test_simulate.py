@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The results and errors of `raceway.simulate` are the same, bitwise, as those of the deck that it
-writes when this deck is run by hand."""
+"""The results of `raceway.simulate` are bitwise identical to those of the deck that it writes when
+the deck is run by hand, and the errors are the same."""
 
 import os
 import pickle
@@ -26,7 +26,7 @@ LONG = {"load": 3000, "rpm": 2000, "passes": 60, "keep": 25, "models": "full"}
 
 @pytest.fixture(autouse=True)
 def environment(monkeypatch):
-    """Return the environment in which all tests start a host program."""
+    """Set up the environment in which all tests start a host program."""
     for name, value in ENVIRONMENT.items():
         monkeypatch.setenv(name, value)
 
@@ -39,11 +39,11 @@ def record(folder):
     "host, ranks", [("liggghts", 1), ("liggghts", 2), ("lammps", 1), ("wheel", 2)]
 )
 def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
-    """A call is bitwise equivalent to running the deck that it wrote, and to running the main deck
-    with -var, also from a folder without inputs."""
+    """The record of a call is bitwise identical to that of the deck that it wrote, run by hand, and
+    to that of the main deck run with -var, even from a folder without inputs."""
     monkeypatch.chdir(tmp_path)
     name = None if host == "wheel" else host
-    if host == "wheel":  # as if there were no source tree
+    if host == "wheel":  # as if raceway had no source tree
         monkeypatch.setitem(raceway.sweeps.host_program.BUILT, "liggghts", Path("build/none"))
     found = raceway.simulate(**POINT, **OIL, out="one", host=name, ranks=ranks)
     written = Path("one/in.6208")
@@ -56,7 +56,7 @@ def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
     assert given == ["viscosity=0.05"] * 3
     assert re.search(r"^variable load +index 1234.5678901234567 ", written.read_text(), re.M)
     assert pickle.loads(pickle.dumps(found)).summary() == found.summary()
-    # with the defaults, a second call makes no step; with overwrite it makes all steps
+    # with the defaults, a second call makes no steps; with overwrite it repeats all steps
     for overwrite in (False, True):
         raceway.simulate(**POINT, **OIL, out="one", host=name, overwrite=overwrite)
         assert ("Settling" in Path("one/log.txt").read_text()) == overwrite
@@ -70,7 +70,7 @@ def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
 def test_errors_of_the_command_line(tmp_path, wrong):
     """The message of the host is the same as when the main deck is run with -var."""
     folder = tmp_path / "run"
-    if "passes" in wrong:  # the folder has a finished run with other settings
+    if "passes" in wrong:  # the folder contains a finished run with other settings
         raceway.simulate(out=folder, passes=1)
     own = {"models": None, "settle": None, **wrong}
     shown = run("inputs/in.6208", out=folder, resume="yes", **own).error
@@ -105,7 +105,7 @@ def _max_load(load):
     "pool", [ThreadPoolExecutor, lambda n: ProcessPoolExecutor(n, get_context("spawn"))]
 )
 def test_side_by_side(tmp_path, monkeypatch, pool):
-    """Each point has a separate folder whose name is derived from its values."""
+    """Each point has a separate folder, which is named after its values."""
     monkeypatch.chdir(tmp_path)
     loads = [1000, 2000.0, 4000]
     with pool(2) as workers:
@@ -117,7 +117,7 @@ def test_side_by_side(tmp_path, monkeypatch, pool):
 
 
 def test_folder_in_use(tmp_path):
-    """If two runs write to one folder, the second is rejected, as on the command line."""
+    """If two runs write to the same folder, the second is rejected, as on the command line."""
     code = "import sys, raceway; raceway.simulate(out=sys.argv[1], **eval(sys.argv[2]))"
     first = subprocess.Popen([sys.executable, "-c", code, tmp_path, repr(LONG)], cwd=ROOT)
     try:
@@ -131,8 +131,8 @@ def test_folder_in_use(tmp_path):
 
 @pytest.mark.parametrize("whom", ["caller", "host", "mpirun", "rank"])
 def test_stopped_and_continued(tmp_path, whom):
-    """Ctrl-C stops the host, which leaves a restart file; if the host, mpirun or a rank is killed,
-    the call raises an error. After the next call, the results are bitwise identical to those of an
+    """On Ctrl-C, the host stops and leaves a restart file. If the host, mpirun or a rank is killed,
+    the call raises an error. After another call, the results are bitwise identical to those of an
     uninterrupted run."""
     raceway.simulate(out=tmp_path / "whole", **LONG)
     words = LONG | {"ranks": 2 if whom in ("mpirun", "rank") else 1}

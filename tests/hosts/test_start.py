@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The programs start Open MPI quickly if they are started alone, by the rules of Open MPI if a
-launcher starts them, and always with the user's settings."""
+"""Programs that are started alone start Open MPI quickly; programs that a launcher starts follow
+the rules of Open MPI. In both cases, the user's settings take precedence."""
 
 import re
 import subprocess
@@ -13,8 +13,8 @@ OURS = {"ess_singleton_isolated": "true", "pml": "ob1", "orte_create_session_dir
 
 
 def settings(host, tmp_path, deck="", ranks=1, **environment):
-    """Return the settings {name: value} that Open MPI finds in the environment when the host runs
-    `deck`."""
+    """Return a dict {name: value} of the settings that Open MPI finds in the environment when the
+    host runs `deck`."""
     path = tmp_path / "in.deck"
     path.write_text(deck + "\n")
     command = [HOSTS[host][0], "-in", path, "-log", "none", "-screen", "none"]
@@ -33,12 +33,12 @@ def settings(host, tmp_path, deck="", ranks=1, **environment):
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_alone(host, tmp_path):
-    """Without a launcher, no daemon is started and no networks are searched for."""
+    """Without a launcher, Open MPI neither starts a daemon nor searches for networks."""
     assert settings(host, tmp_path).items() >= OURS.items()
 
 
 def test_launcher(tmp_path):
-    """Under mpirun the programs do not set any parameters of Open MPI."""
+    """Under mpirun, the programs do not set any Open MPI parameters."""
     found = settings("liggghts", tmp_path, ranks=2)
     assert found["ess"] == "pmi"
     assert not OURS.keys() & found.keys()
@@ -46,12 +46,12 @@ def test_launcher(tmp_path):
 
 @pytest.mark.parametrize("name", ["PMIX_RANK", "PMI_RANK", "SLURM_STEP_ID", "FLUX_TASK_RANK"])
 def test_other_launchers(name, tmp_path):
-    """Open MPI's settings stay unchanged as soon as a single variable of a launcher is set."""
+    """Open MPI's settings stay unchanged if even a single variable of a launcher is set."""
     assert "ess_singleton_isolated" not in settings("liggghts", tmp_path, **{name: "0"})
 
 
 def test_settings_of_the_user_win(tmp_path):
-    """A user's setting takes precedence, even if the user sets only one of the two."""
+    """A user's setting takes precedence, even if the user sets only one of the two parameters."""
     found = settings("liggghts", tmp_path, OMPI_MCA_ess_singleton_isolated="0")
     assert (found["ess_singleton_isolated"], found["pml"]) == ("false", "ob1")
     found = settings("liggghts", tmp_path, OMPI_MCA_pml="^cm")
@@ -59,8 +59,8 @@ def test_settings_of_the_user_win(tmp_path):
 
 
 def test_programs_that_a_deck_starts(tmp_path):
-    """Child processes receive the user's environment, because `shell mpirun ...` must not inherit
-    the singleton settings."""
+    """Child processes receive the user's original environment, because `shell mpirun ...` must not
+    inherit the singleton settings."""
     settings("liggghts", tmp_path, "shell env > seen", OMPI_MCA_pml="^cm")
     seen = (tmp_path / "seen").read_text().splitlines()
     assert "OMPI_MCA_pml=^cm" in seen
@@ -71,7 +71,7 @@ def test_programs_that_a_deck_starts(tmp_path):
 
 def test_many_starts_at_once(tmp_path):
     """Without isolation, ten of 400 starts (eight at a time) failed in MPI_Init, because processes
-    that ended removed the session folder of processes that were starting."""
+    that were ending removed the session folder of processes that were starting."""
     deck = tmp_path / "in.nothing"
     deck.write_text("units si\n")
 

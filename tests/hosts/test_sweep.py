@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of `raceway sweep` with the real program: points, failures, locks, kills, job arrays and
+"""Tests of `raceway sweep` with the real program: points, failures, locks, kills, job arrays, and
 the scripts in inputs/cluster."""
 
 import contextlib
@@ -34,7 +34,7 @@ TABLE = """load,rpm,lubricant,passes,samples
 2000,477.5,pao48,1,20
 """
 COUNTER = """#!/bin/bash
-# counts the starts of a point, then runs the program
+# counts how often each point is started, then runs the program
 for word; do case "$last" in out) echo start >> "$word.starts";; esac; last=$word; done
 exec {program} "$@"
 """
@@ -66,7 +66,7 @@ def table(tmp_path):
 
 
 def test_a_deck_of_several_bearings_without_resume(tmp_path):
-    """The table of results has columns for each bearing, which contain the values of its
+    """The table of results has columns for each bearing, which contain the values in the bearing's
     summary."""
     (tmp_path / "t.csv").write_text("rpm\n3000\n")
     out = tmp_path / "out"
@@ -82,7 +82,7 @@ def test_a_deck_of_several_bearings_without_resume(tmp_path):
 
 @pytest.fixture
 def counter(tmp_path):
-    """Return a program that adds a line for each start to a file next to the folder of the
+    """Return a program that, at each start, appends a line to a file next to the folder of the
     point."""
     path = tmp_path / "counter.sh"
     path.write_text(COUNTER.format(program=ROOT / "build" / "liggghts"))
@@ -114,19 +114,20 @@ def test_sweep(table, tmp_path, counter):
     losses = {f"loss_{part}_W" for part in figures["losses_W"] or ()}
     assert set(figures) - {"losses_W", "model_ranges", "absent"} | losses <= set(results.columns)
     assert one["q_max_N"] == pytest.approx(figures["q_max_N"], rel=1e-15)
-    # the run equals a run of the deck without a sweep
+    # the result equals that of a run of the deck without a sweep
     succeed(
         "inputs/in.6208", out=tmp_path / "alone", passes=1, samples=20, models=None, settle=None
     )
     assert (out / one.name / "record.nc").read_bytes() == (
         tmp_path / "alone" / "record.nc"
     ).read_bytes()
-    # a second call runs nothing and keeps failures; with --retry only the failed point is run again
+    # a second call runs nothing and keeps failed points; with --retry only the failed point is
+    # rerun
     again = sweep(table, "--out", out, "--program", counter)
     assert "3 finished (3 before), 1 failed" in again.stdout and set(starts(out).values()) == {1}
     sweep(table, "--out", out, "--program", counter, "--retry")
     assert sorted(starts(out).values()) == [1, 1, 1, 2]
-    # gathering results is part of a sweep, and also a separate command
+    # a sweep gathers its results, which can also be done with a separate command
     (out / "results.csv").unlink()
     gathered = subprocess.run(
         words("gather", out), cwd=ROOT, env=ENV, text=True, capture_output=True, check=False
@@ -136,8 +137,8 @@ def test_sweep(table, tmp_path, counter):
 
 
 def test_shares_of_the_time(tmp_path, capsys):
-    """A column `share` is copied to results.csv, from which `--spectrum` computes the life for the
-    runs. Statics for the same loads agrees with it."""
+    """A column `share` is copied to results.csv, from which `--spectrum` computes the life. Statics
+    for the same loads gives the same life."""
     path, out = tmp_path / "duties.csv", tmp_path / "out"
     head, rows = "load,rpm,share", ("2000,1500,0.7", "5000,3000,0.3")
     path.write_text("\n".join([f"{head},passes,samples", *(f"{row},1,20" for row in rows)]) + "\n")
@@ -163,7 +164,7 @@ def test_finished_means_the_figures_of_these_variables(table, tmp_path, counter)
     (out / name / "point.yaml").write_text("load: '1'\n")
     sweep(table, "--out", out, "--program", counter)
     assert starts(out)[name] == 2
-    # if results are missing but the run is complete, they are computed again without another run
+    # if results are missing but the run is complete, they are recomputed without another run
     (out / name / "summary.json").unlink()
     sweep(table, "--out", out, "--program", counter)
     assert (
@@ -207,7 +208,7 @@ def wait_for(condition):
     ids=lambda value: str(value),
 )
 def test_stopped_half_way(tmp_path, counter, which, code):
-    """Nothing is lost, no finished point is repeated, and an interrupted point continues from its
+    """Nothing is lost, no finished point is repeated, and the interrupted point continues from its
     restart file."""
     table, out = tmp_path / "table.csv", tmp_path / "out"
     table.write_text(
@@ -244,7 +245,7 @@ def test_stopped_half_way(tmp_path, counter, which, code):
 
 
 def in_work(folder):
-    """Return whether a process is still writing below `folder`."""
+    """Return whether a process is still writing to a path below `folder`."""
     for line in Path("/proc").glob("[0-9]*/cmdline"):
         try:
             if f"{folder}/".encode() in line.read_bytes():
@@ -280,7 +281,7 @@ def test_check_runs_nothing(table, tmp_path):
 
 
 def slurm(task, tasks, **more):
-    """Return the environment with the variables that Slurm sets in a task of a job array."""
+    """Return the environment with the variables that Slurm sets for a task of a job array."""
     return {
         **ENV,
         "SLURM_ARRAY_TASK_ID": str(task),
@@ -291,8 +292,7 @@ def slurm(task, tasks, **more):
 
 
 def test_job_array(table, tmp_path, counter):
-    """The script written by `--slurm` is run task by task, in the same way as Slurm would run
-    it."""
+    """The script written by `--slurm` is run task by task, as Slurm would run it."""
     out, script = tmp_path / "out", tmp_path / "job.sh"
     done = sweep(table, "--out", out, "--program", counter, "--slurm", script, "--tasks", 2)
     assert done.stdout == f"{script}: 4 points in 2 tasks\n" and not starts(out)
@@ -341,8 +341,8 @@ def test_array_script(table, tmp_path):
 
 @pytest.mark.parametrize("script, tasks", [("run.sh", 1), ("mpi.sh", 2)])
 def test_run_scripts(tmp_path, script, tasks):
-    """A run is stopped as if by a time limit, restarted on one rank, and started once more after it
-    has finished."""
+    """A run is stopped as if a time limit had been reached, restarted on one rank, and started once
+    more after it has finished."""
     out, settings = tmp_path / "run", ["-var", "passes", "30", "-var", "samples", "100"]
     command = ["bash", f"inputs/cluster/{script}", str(out), *settings]
     environment = {
@@ -393,9 +393,9 @@ def test_scripts_parse(script):
 
 
 def test_partition_deck(tmp_path):
-    """In inputs/in.partition, two partitions alternate between four points, and the result for each
-    point is that of a separate run. Hosts lock points with a file in the current folder, so this
-    test uses its own folder."""
+    """In inputs/in.partition, two partitions share four points, and the result for each point
+    equals that of a separate run. Hosts lock points with a file in the current folder, so this test
+    uses a separate folder."""
     (tmp_path / "inputs").symlink_to(ROOT / "inputs")
     succeed(
         "inputs/in.partition",
@@ -431,7 +431,7 @@ def test_partition_deck(tmp_path):
 
 
 def test_table_of_the_docs(tmp_path):
-    """docs/sweep.rst shows the output of this command and the name of a folder."""
+    """docs/sweep.rst shows the output of this command and the name of one of its folders."""
     done = sweep("docs/decks/sweep.csv", "--out", tmp_path)
     assert (done.returncode, done.stdout) == (0, f"4 finished: {tmp_path / 'results.csv'}\n")
     assert (tmp_path / "load=1000_rpm=477.5_lubricant=mineral_passes=1" / "summary.json").exists()

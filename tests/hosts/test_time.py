@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Simulated time, and formulas that contain it, continue across restarts and reset_timestep."""
+"""Simulated time, and formulas that depend on it, continue across restarts and reset_timestep."""
 
 import numpy as np
 import pytest
@@ -34,7 +34,7 @@ READ = "atom_style sphere\natom_modify map array sort 0 0.0\nnewton off\n"
 
 
 def end(tmp_path, host, *parts):
-    """Return the time, the positions of the rings and the position of a ball at the end of the
+    """Return the time, the positions of the rings, and the position of a ball at the end of the
     deck."""
     deck = tmp_path / "in.time"
     deck.write_text("".join(parts) + TELL)
@@ -48,7 +48,7 @@ def test_time_goes_on(host, tmp_path):
     whole = end(tmp_path, host, begin, RUN)
     assert whole[0] == pytest.approx(1000 * STEP, rel=1e-12)
     assert whole[4] == pytest.approx(50 * (1 + 100 * whole[0]), rel=1e-9)
-    near = {"rtol": 1e-9, "atol": 1e-10}  # forces are recomputed after a new step number
+    near = {"rtol": 1e-9, "atol": 1e-10}  # forces are recomputed when the step number is reset
     for seam in ("reset_timestep 0\n", "reset_timestep 40000\n"):
         np.testing.assert_allclose(end(tmp_path, host, begin, seam, RUN), whole, **near)
     end(tmp_path, host, begin, f"write_restart {tmp_path}/kept\n")
@@ -81,7 +81,7 @@ def test_a_driven_ring_that_jumps(mode, size, mover, tmp_path):
     assert f"fix outer bearing/ring: the position along {mode} jumps by " in outcome.error
     assert "in step 201, with" in outcome.error
     deck.write_text(text.replace(jump, sway + f"+{size}*(time>{start})*(time-{start})/2.0e-4"))
-    succeed(deck)  # the same change, but gradual
+    succeed(deck)  # the same change, applied gradually
 
 
 @pytest.mark.parametrize("mover", ["nve/sphere", "bearing/implicit"])
@@ -97,13 +97,13 @@ def test_a_driven_ring_whose_speed_jumps(mover, tmp_path):
     assert "fix inner bearing/ring: the spin speed jumps by 4.99" in outcome.error
     assert "in step 201, with" in outcome.error
     deck.write_text(text.replace(speed, f"{speed}-5*(time>{start})*(time-{start})/2.0e-4"))
-    succeed(deck)  # the same change, but gradual
+    succeed(deck)  # the same change, applied gradually
     deck.write_text(text + f"write_restart {tmp_path}/kept\n")
     succeed(deck)
     other = text[text.index("group balls") :].replace("50*(1", "60*(1")
     read = f"read_restart {tmp_path}/kept\nneighbor 2.0e-3 bin\nneigh_modify delay 0 every 20\n"
     deck.write_text(READ + read + other)
-    outcome = run(deck)  # the speed changes after a restart
+    outcome = run(deck)  # the speed changes at the restart
     assert outcome.code != 0
     assert "fix inner bearing/ring: the spin speed jumps by 10.5" in outcome.error
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the kinds of cage that a bearing may have: a chain of balls, a single rigid ring, or no
+"""Tests of the three cage options for a bearing: a chain of balls, a single rigid ring, or no
 cage."""
 
 import numpy as np
@@ -9,7 +9,7 @@ from raceway.runs.run import Run
 from raceway.runs.settings import deck_words
 
 SHORT = {"passes": 1, "settle": 1, "samples": 20, "record": "all"}
-# (variables of the main deck, cage of the run)
+# (variables of the main deck, cage that the run then has)
 CAGES = [
     ({}, "chain"),
     ({"models": "full"}, "chain"),
@@ -21,7 +21,7 @@ CAGES = [
 
 
 def cage_of(folder):
-    """Return the kind of cage (ring, chain or no) that follows from the bodies in a record."""
+    """Return the type of cage (ring, chain or no), determined from the bodies in a record."""
     record = Run(folder).tables.record
     if 2 in record.fixed("ring_raceway"):
         return "ring"
@@ -32,7 +32,7 @@ def cage_of(folder):
     "words, cage", CAGES, ids=lambda value: value if isinstance(value, str) else "-".join(value)
 )
 def test_main_deck(tmp_path, words, cage):
-    """The record states the kind of cage, so that a repeated run has the same cage."""
+    """The record states the type of cage, so that a repeated run has the same cage."""
     succeed("inputs/in.6208", out=tmp_path, **{**SHORT, **words})
     assert cage_of(tmp_path) == cage
     assert deck_words(Run(tmp_path).settings)["cage"] == cage
@@ -96,8 +96,8 @@ def test_a_chain_for_a_ring_is_refused(tmp_path):
 
 
 def test_first_balls_of_many_bearings(tmp_path):
-    """In a grid of bearings, each cage starts with a pocket at the first ball of its bearing. A
-    ball starts in the middle of its pocket and does not cross half the play, 0.16 mm, within 2
+    """In a grid of bearings, every cage starts with a pocket at the first ball of its bearing. A
+    ball starts in the middle of its pocket and does not cross half the play (0.16 mm) within 2
     ms."""
     words = {
         "bearings": 5,
@@ -116,7 +116,7 @@ def test_first_balls_of_many_bearings(tmp_path):
 
 
 def test_a_first_ball_elsewhere_goes_on(tmp_path):
-    """In a continued run, the pockets are at the same positions as before."""
+    """In a continued run, the pockets are at the same positions as in the first run."""
     words = {**SHORT, "models": "full", "cage": "ring", "phase": 0.3, "resume": "yes"}
     for folder, passes in (("whole", (2,)), ("parts", (1, 2))):
         for number in passes:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the variable `without`, which lists the parts of the models that a run omits."""
+"""Tests of the variable `without`, which lists parts of the models to be omitted from a run."""
 
 import shutil
 
@@ -9,9 +9,9 @@ from raceway.errors import RunError
 from raceway.runs.run import Run
 
 SCENE = {"passes": 1, "samples": 20, "lubricant": "vg46", "load": 2000, "models": "full"}
-# {part: the loss in the summary that is 0 without the part}
+# {part: loss in the summary that is 0 if the part is omitted}
 LOSSES = {"rolling": "rolling", "rolling_hysteresis": "hysteresis", "drag": "drag"}
-# {part: (words removed from the pair style, words that remain without the part)}
+# {part: (words that are removed from the pair style, words that remain if the part is omitted)}
 WORDS = {
     "gap": ("gap 1", "rolling_hysteresis 0.01"),
     "film_branch": ("film_damping branch", "gap 1"),
@@ -64,8 +64,8 @@ def test_no_cage(tmp_path, whole):
 
 def test_starvation(tmp_path, whole):
     """Two effects reduce the rolling couple: SKF's starvation factor (10000 EN, 2013), and the
-    limited inlet in a groove, which leaves at least half of the couple. Without starvation, the
-    factor is 1 and the inlet is flooded."""
+    limited inlet in a groove, which leaves at least half of the couple. If `starvation` is omitted,
+    the factor is 1 and the inlet is flooded."""
     succeed("inputs/in.6208", out=tmp_path / "flooded", without="starvation", **SCENE)
     succeed("inputs/in.6208", out=tmp_path / "starved", **SCENE)
     nu = 1e6 * whole["viscosity_Pa_s"] / 858  # mm2/s; vg46 at 40 C
@@ -96,7 +96,7 @@ def test_mistakes(tmp_path, host):
 
 
 def test_models_of_ones_own(tmp_path):
-    """Models defined by a user have no named parts, so no part can be omitted."""
+    """Models defined by a user have no named parts, so none can be omitted."""
     inputs = tmp_path / "inputs"
     shutil.copytree(ROOT / "inputs", inputs)
     (inputs / "models").mkdir()

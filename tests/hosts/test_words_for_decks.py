@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of short forms for long passages in decks: create_bearing ... groups and resumed,
+"""Tests of deck commands that replace long passages: create_bearing ... groups and resumed,
 bearing_dump, and fix bearing/checkpoint ... balance."""
 
 import re
@@ -61,8 +61,8 @@ def test_groups(tmp_path, host):
 @HOSTS
 @pytest.mark.parametrize("resumed", ["no", "yes"])
 def test_one_command_for_new_and_resumed_runs(tmp_path, host, resumed):
-    """A run of ten steps, and its second half continued from a restart file, give the same
-    output."""
+    """A run of ten steps gives the same output as a restart file from its middle followed by the
+    second half."""
     new = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE
     halves = f"run 5\nwrite_restart {tmp_path}/re\nrun 5\n"
     whole = given(tmp_path, "whole", new + halves + LAST, host=host)
@@ -90,8 +90,8 @@ print "NAMES ${names}"
 
 @HOSTS
 def test_dump(tmp_path, host):
-    """A file that is started and then continued is identical, byte for byte, to one written with
-    the commands of the host."""
+    """A file that is started in one run and continued in the next is identical, byte for byte, to
+    one written with the commands of the host."""
     first = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE
     first += "compute contact balls bearing/contact ball load\n"
     said = {}
@@ -149,8 +149,8 @@ def test_create_refused(tmp_path, words, says):
 
 @HOSTS
 def test_balance(tmp_path, host):
-    """The fix computes the fraction of the mean load that the contacts do not carry along the free
-    directions; here only y is free."""
+    """The fix computes which fraction of the mean load is not carried by the contacts, along the
+    free directions; here only y is free."""
     deck = tmp_path / "in.balance"
     text = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE.replace("x free y free", "y free")
     text += "".join(f"variable b{k} equal f_inner[{k}]\n" for k in (12, 19))
@@ -165,7 +165,7 @@ def test_balance(tmp_path, host):
 
 
 def test_balance_of_a_resumed_run(tmp_path):
-    """The fraction is computed from all samples before and after the restart."""
+    """The fraction is computed from all samples, before and after the restart."""
     begin = BOX + RACEWAYS + CREATE + " groups yes\n"
     again = BOX[: BOX.index("region")].replace("boundary f f f\n", "")
     again += f"read_restart {tmp_path}/re\nneighbor 2.0e-3 bin\n"

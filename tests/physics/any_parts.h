@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Evaluates the contact law for any set of parts (core/contact/any_law.h), for the number types
+// Evaluates the contact law for any set of parts (core/contact/any_law.h), for every number type
 // used in the tests.
 #ifndef RACEWAY_TESTS_ANY_PARTS_H
 #define RACEWAY_TESTS_ANY_PARTS_H
@@ -52,7 +52,7 @@ template <int n> struct PartsLaw {
   }
 };
 
-// Calls f(law) with the law for a set of parts.
+// Calls f(law) with the law that consists of a set of parts.
 template <class F> void with_parts(unsigned parts, const F &f)
 {
   if (law_facts(parts).couples) f(PartsLaw<6>{parts});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exports the drag of a one-piece cage, its pockets and its land to test_physics_cage_ring.py.
+// Exports the drag on a one-piece cage, its pockets and its land to test_physics_cage_ring.py.
 #include "../../src-package/core/geometry/cage_ring.h"
 #include "../../src-package/core/interface/exports.h"
 
@@ -33,7 +33,7 @@ FORMULA(double, cage_churning,
   return churning_couple(share, density, viscosity, radius, speed);
 }
 
-// A cage with a ball and a ring at positions set by a test.
+// A cage, a ball and a ring at positions that a test sets.
 RECORD(CageScene, double pockets, spherical, pitch, phase, along, across, stiffness, mass, friction,
        creep, shear, guide, radius, clearance, width, viscosity, land_stiffness, wall, x[3], v[3],
        w[3], e[3], angle, ball_x[3], ball_v[3], ball_w[3], ball_radius, ball_mass, ring_x[3],

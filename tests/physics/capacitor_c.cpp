@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exports the capacitance of a contact including its surroundings to test_physics_surroundings.py.
+// Exports the capacitance of a contact and its surroundings to test_physics_surroundings.py.
 #include "../../src-package/core/contact/contact.h"
 #include "../../src-package/core/electric/film_capacitor.h"
 #include "../../src-package/core/interface/exports.h"
@@ -38,7 +38,7 @@ RacewayPhysics with_gap(const RacewayPhysics &p, double share)
   return q;
 }
 
-// Sets a contact whose surfaces do not approach each other; returns whether it is closed.
+// Sets up a contact whose surfaces do not approach each other; returns whether it is closed.
 template <class T, class Mask = decltype(T() < T())>
 Mask meet(const RacewayPhysics &p, const T &overlap, const T &cos_angle, const T &speed,
           ContactStateT<T> &c)
@@ -68,7 +68,7 @@ template <class T> void put(const FilmCapacitorT<T> &c, T *out)
 }
 }    // namespace
 
-// Computes the reach (m) of the gap on the near and the far side, around an ellipse with the given
+// Computes how far the gap extends (m) on the near and the far side of an ellipse with the given
 // semi-axis (m).
 EXPORT(void, groove_reach,
        (const RacewayPhysics *p, double depth, double sine, double cosine, double semi_axis,
@@ -81,7 +81,7 @@ EXPORT(void, groove_reach,
 }
 
 // Returns the integral (m) outside a contact under a given load (N). If the load is 0, the integral
-// extends over the open gap of height h (m) with a given clearance (m).
+// covers the open gap of height h (m), for a given clearance (m).
 EXPORT(double, outside_integral,
        (const RacewayPhysics *p, double cos_angle, double load, double h, double play,
         double reach))
@@ -98,8 +98,8 @@ EXPORT(double, outside_integral,
   return gap_integral(s, loaded.G, stretch, stretch);
 }
 
-// Evaluates n balls on a raceway one by one and four at a time; each ball has `columns` numbers. n
-// must be a multiple of 4.
+// Evaluates n balls on a raceway, both one by one and four at a time; `columns` values are stored
+// for each ball. n must be a multiple of 4.
 EXPORT(void, capacitors,
        (const RacewayPhysics *raceway, const CapacitorInput *in, double n, const double *overlap,
         const double *cos_angle, const double *speed, const double *cage_speed, double *one,
@@ -144,7 +144,7 @@ RACEWAY_LANES double sum_of(const RacewayPhysics &p, const CapacitorModel &m,
   Lane sum = {};
   for (int i = 0; i < repeats; ++i) {
     ContactStateT<Lane> one = c;
-    one.entrainment = c.entrainment + 1e-9 * i;    // varies, so that no result can be reused
+    one.entrainment = c.entrainment + 1e-9 * i;    // varies, so that no result is reused
     if (m.surrounded()) sum += s.capacitor(one, live, cage_speed).total();
     else sum += film_capacitor(p, one, m).capacitance;
   }
@@ -152,8 +152,8 @@ RACEWAY_LANES double sum_of(const RacewayPhysics &p, const CapacitorModel &m,
 }
 }    // namespace
 
-// Returns the time per contact (s) if four contacts are evaluated together; `sum` (F) is their
-// total capacitance.
+// Returns the time per contact (s) when four contacts are evaluated together; `sum` (F) receives
+// their total capacitance.
 EXPORT(double, capacitor_time,
        (const RacewayPhysics *p, const CapacitorInput *in, double overlap, double speed,
         double cage_speed, double repeats, double sum[1]))

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Provides the physics headers as a library, which `make interfaces` builds (Makefile rule
-build/libraceway_physics.so)."""
+"""Provides the physics headers as a library, which `make interfaces` builds (the rule for
+build/libraceway_physics.so in the Makefile)."""
 
 import sys
 from pathlib import Path
 
 import pytest
 
-# lets pytest find the helpers in this folder wherever it is started
+# lets pytest find the helpers in this folder regardless of where it is started
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from film_scene import Gap  # noqa: E402
@@ -30,11 +30,11 @@ def side(request):
 
 @pytest.fixture(scope="module")
 def gap(physics, side):
-    """Return a contact with the inner or the outer raceway, with its film."""
+    """Return a contact with its film, on the inner or the outer raceway."""
     return Gap(physics, side)
 
 
 @pytest.fixture(scope="module")
 def inner(physics):
-    """Return a contact with the inner raceway, with its film."""
+    """Return a contact with its film, on the inner raceway."""
     return Gap(physics, INNER)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reference for contact.h: a ball and a ring as moving rigid bodies in 40-digit arithmetic.
+"""Reference for contact.h that treats a ball and a ring as moving rigid bodies, with 40 digits.
 
-The reference does not use the derivation in the header. Points of the bodies are followed along the
-motion (constant velocities, Rodrigues rotation) and differentiated in time. Vectors are mpmath
-vectors, so the step size of the differences does not limit the accuracy.
+The reference does not use the derivation in the header. Points on the bodies are followed along the
+motion (constant velocities, Rodrigues rotation), and their positions are differentiated in time.
+Vectors consist of mpmath numbers, so the step size of the differences does not limit the accuracy.
 """
 
 import mpmath
@@ -46,11 +46,11 @@ def turn(a, w):
 
 
 def derivative(f):
-    """Return df/dt at t = 0 of a vector function, from central differences with Richardson
+    """Return df/dt at t = 0 for a vector function, from central differences with Richardson
     extrapolation.
 
-    Motions here vary over T = 1e-5 s or longer, so the truncation error is (h/T)^4 = 1e-36, and the
-    rounding error is 1e-40 m/h = 1e-26 m/s.
+    The time scale of the motions is T = 1e-5 s or more, so the truncation error is (h/T)^4 = 1e-36,
+    and the rounding error is 1e-40 m/h = 1e-26 m/s.
     """
     h = mpf(10) ** -14  # s
 
@@ -61,17 +61,17 @@ def derivative(f):
 
 
 class Reference:
-    """A ball (x, v, w) of `radius` (m) and a ring (x, v, w, e) with a torus groove whose centre
-    circle has the radius `circle` (m)."""
+    """A ball (x, v, w) with a given `radius` (m), and a ring (x, v, w, e) with a torus groove whose
+    centre circle has the radius `circle` (m)."""
 
     def __init__(self, ball, ring, circle, radius):
         self.ball, self.ring = [vector(q) for q in ball], [vector(q) for q in ring]
-        # the axis is a unit vector
+        # make the axis a unit vector
         self.ring[3] = scale(self.ring[3], 1 / length(self.ring[3]))
         self.circle, self.radius = mpf(circle), mpf(radius)
 
     def frame(self, t=0):
-        """Return the geometry at the time t (s): u, t, e, n, w, s and the contact point."""
+        """Return the geometry at time t (s): u, t, e, n, w, s and the contact point."""
         t = mpf(t)
         x = add(self.ball[0], self.ball[1], t)
         centre = add(self.ring[0], self.ring[1], t)
@@ -79,7 +79,7 @@ class Reference:
         d = add(x, centre, -1)
         radial = add(d, e, -dot(d, e))
         u = scale(radial, 1 / length(radial))
-        arm = add(d, u, -self.circle)  # from the nearest groove centre
+        arm = add(d, u, -self.circle)  # from the nearest point on the circle of groove centres
         s = length(arm)
         n = scale(arm, 1 / s)
         rolling = cross(e, u)

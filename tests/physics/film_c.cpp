@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exports film factors, the film in the gap and the film branch to test_physics_film_*.py.
+// Exports film factors, the film in the gap, and the film branch to test_physics_film_*.py.
 #include "../../src-package/core/contact/contact.h"
 #include "../../src-package/core/contact/contact_slopes.h"
 #include "../../src-package/core/interface/exports.h"
@@ -11,8 +11,8 @@ using namespace raceway;
 
 RECORD(FilmContact, double load, compression, h_c, h_min, slope, stiffness, reach;)
 
-// shear: 0 none, 1 Murch and Wilson, 2 Wilson, 3 Gupta; the pressure is relative to E', the sliding
-// speed in m/s.
+// shear: 0 none, 1 Murch and Wilson, 2 Wilson, 3 Gupta. The pressure is a fraction of E', and the
+// sliding speed is in m/s.
 EXPORT(double, film_factor,
        (double shear, double beta, double viscosity, double conductivity, double starvation,
         double speed, double pressure, double sliding))
@@ -46,8 +46,8 @@ RacewayPhysics with_gap(const RacewayPhysics &p, const FilmScene &scene)
   return q;
 }
 
-// Sets a contact whose surfaces do not approach each other, so that the normal force is the load.
-// Returns whether the contact is open.
+// Sets up a contact whose surfaces do not approach each other, so that the normal force is the
+// load. Returns whether the contact is open.
 template <class T, class Mask = decltype(T() < T())>
 Mask squeeze(const RacewayPhysics &p, const T &overlap, const T &speed, double sliding,
              ContactStateT<T> &c, T &slope)
@@ -89,8 +89,8 @@ EXPORT(double, film_stored,
   return FullLaw<>::energy(q, c);
 }
 
-// Returns the number of values that are not bitwise identical if four contacts are evaluated
-// together and if each contact is evaluated alone.
+// Returns how many values are not bitwise identical between four contacts that are evaluated
+// together and the same contacts evaluated one by one.
 EXPORT(int, film_lanes,
        (const RacewayPhysics *p, const FilmScene *scene, const double overlap[4],
         const double speed[4]))
@@ -120,7 +120,7 @@ EXPORT(int, film_lanes,
   return different;
 }
 
-// Returns {k_m, 1/tau, f after dt, its slope}.
+// Returns the largest step for a contact with a film branch.
 EXPORT(double, largest_step_with_branch, (double k, double c, double m, double k_m, double rate))
 {
   FilmBranches film;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A contact of a 6208 with its film, computed by the code of a run, by the Python package and in
+"""A contact of a 6208 with its film, evaluated by the code of a run, by the Python package, and in
 40-digit arithmetic."""
 
 import pytest
@@ -9,7 +9,7 @@ from references import hertz
 
 OIL = (0.04, 22e-9)
 SPEEDS = (0.0725, 0.72481, 2.899, 14.4946)
-ROUNDING = 1e-12  # forty rounding errors in exponents of at most 50
+ROUNDING = 1e-12  # forty rounding errors, in exponents of at most 50
 OVERLAPS = (-3e-6, -2.2e-6, -1.5e-6, -0.7e-6, -1e-7, -3e-8, 0.0, 3e-8, 1e-6, 17e-6, 60e-6)
 
 
@@ -38,8 +38,8 @@ class Gap:
         assert exact["stiffness"] == pytest.approx(self.stiffness, rel=1e-13)
 
     def cpp(self, overlap, speed, share=1.0, starvation=1.0, **changes):
-        """Return (whether the contact is open, numbers of the contact), computed by the code of a
-        run."""
+        """Return whether the contact is open, and the values for the contact, computed by the code
+        of a run."""
         return self.call(
             "film_contact",
             p=self.raceway._handle,
@@ -49,7 +49,7 @@ class Gap:
         )
 
     def stored(self, overlap, speed, **changes):
-        """Return the energy stored in the contact, J."""
+        """Return the energy in J that is stored in the contact."""
         return self.call(
             "film_stored",
             p=self.raceway._handle,
@@ -65,14 +65,14 @@ class Gap:
         return reference.all_regimes(*OIL, self.modulus, self.r_x, self.r_y, speed, factor)
 
     def heated(self, law, speed, sliding, cut):
-        """Return `law` with Gupta's factor for inlet shear."""
+        """Return `law` with Gupta's factor for inlet shear heating included."""
         loading = 0.047 * OIL[0] * speed**2 / 0.134
         peak = self.raceway.radial().p * self.stiffness ** (-1 / 3) / self.modulus
         return reference.heated(law, loading, peak, sliding / speed, cut)
 
     def python(self, law, speed, share=1.0, factor=1.0, overlap=0.0):
-        """Return `film_gap.Squeeze` from the Python package; `law` contains the changes that `cpp`
-        accepts."""
+        """Return `film_gap.Squeeze` from the Python package; `law` contains changes of the same
+        form as those of `cpp`."""
         contact = (*OIL, self.modulus, self.r_x)
         if law.get("regimes"):
             film = film_gap.all_regimes(*contact, self.r_y, speed, factor=factor)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Exports the parts of a law that cause rolling friction to test_physics_rolling_friction.py. Tests
-// describe a contact by its motions.
+// specify a contact by its motions.
 #include "../../src-package/core/interface/exports.h"
 #include "any_parts.h"
 
 using namespace raceway;
 
-// A contact described by its motions, and its results according to the laws of the models `full`.
+// A contact specified by its motions, and its results under the laws of the models `full`.
 RECORD(Rolled, double side, overlap, overlap_rate, cos_angle, entrainment, sliding_t, sliding_w,
        spin_n, roll_w, dt, least, mu, mu_boundary, mu_film, beta, starvation, alpha, density, oil,
        eyring, limit;)

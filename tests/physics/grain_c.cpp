@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Integrates the collision of a sphere with a wall or another sphere by velocity Verlet, for
+// Integrates the collision of a sphere with a wall or with another sphere by velocity Verlet, for
 // test_physics_grain.py.
 #include "../../src-package/core/interface/exports.h"
 #include "../../src-package/core/laws/grain_contact.h"
@@ -8,9 +8,9 @@ using namespace raceway;
 
 RECORD(Collision, double normal, along, spin, lost, time;)
 
-// Simulates a sphere of mass m and radius R that hits a plane wall at rest. Before the collision it
-// has the velocity `normal` towards the wall, the velocity `along` it, and a spin that moves its
-// surface in the direction of `along`.
+// Simulates a sphere of mass m and radius R that hits a plane wall at rest. Before the collision,
+// the sphere has the velocity `normal` towards the wall, the velocity `along` the wall, and a spin
+// that moves its surface in the direction of `along`.
 FORMULA(Collision, grain_collision,
         (double stiffness, double restitution, double friction, double m, double R, double normal,
          double along, double spin, double dt))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Exports every possible contact law to test_physics_laws.py: slopes from duals and from
-// differences; values of contacts evaluated one by one and four at a time, and of laws evaluated
-// part by part and as a whole.
+// differences, values for contacts evaluated one by one and four at a time, and values for laws
+// evaluated part by part and as a whole.
 #include "../../src-package/core/interface/exports.h"
 #include "../../src-package/core/numbers/instruction_set.h"
 
@@ -18,7 +18,7 @@ template <class T> const T *force_of(const ContactStateT<T> &c, int i)
   return forces[i];
 }
 
-// Computes the changes of the local forces when the k-th motion changes by `step` times its natural
+// Computes how the local forces change when the k-th motion changes by `step` times its natural
 // size. Quantities that the law treats as constant do not change.
 template <class L>
 void shifted_forces(const L &law, const Scene &s, const ContactState &c, int k, double step,
@@ -74,8 +74,7 @@ template <class T> RACEWAY_INLINE Vec3T<T> spread(const Vec3 &v)
   return {T() + v.x, T() + v.y, T() + v.z};
 }
 
-// Returns the number of doubles that are not bitwise identical in two structs that consist only of
-// numbers.
+// Returns how many values are not bitwise identical in two structs that consist only of doubles.
 template <class A> int different_numbers(const A &a, const A &b)
 {
   const double *const x = reinterpret_cast<const double *>(&a),
@@ -86,7 +85,7 @@ template <class A> int different_numbers(const A &a, const A &b)
   return different;
 }
 
-// Result of an evaluation: the contact, its states and its slopes.
+// The result of an evaluation: the contact, its states and its slopes.
 template <int n> struct Found {
   ContactState c;
   double after[most_states] = {};
@@ -104,7 +103,7 @@ template <class L> Found<L::motions> found_by(const L &law, const Scene &s, bool
   return f;
 }
 
-// Evaluates four identical contacts at once; returns the result of one lane.
+// Evaluates four identical contacts at once, and returns the result from one lane.
 template <class L> Found<L::motions> found_in_lanes(const L &law, const Scene &s, bool with_slopes)
 {
   ContactStateT<Lane> four;
@@ -136,8 +135,8 @@ template <class L> Found<L::motions> found_in_lanes(const L &law, const Scene &s
   return f;
 }
 
-// Returns the number of values that differ between doubles, lanes, duals of doubles and duals of
-// lanes.
+// Returns how many values differ between evaluations with doubles, lanes, duals of doubles and
+// duals of lanes.
 template <class L> int bit_differences(const L &law, const Scene &s)
 {
   const auto one = found_by(law, s, false), dual = found_by(law, s, true);
@@ -160,8 +159,8 @@ template <class L> int bit_differences(const L &law, const Scene &s)
   return different;
 }
 
-// Returns the number of values that differ between a law compiled as a whole and its parts
-// evaluated one by one.
+// Returns how many values differ between a law compiled as a whole and the same law evaluated part
+// by part.
 template <class L> int fused_differences(const Scene &s)
 {
   const PartsLaw<L::motions> law = {L::parts};
@@ -177,12 +176,12 @@ template <class L> int fused_differences(const Scene &s)
   return different;
 }
 
-// Returns the number of values that are not bitwise identical if four contacts with one raceway are
+// Returns how many values are not bitwise identical between four contacts on one raceway that are
 // evaluated at once and one by one; the last contact may be open.
 int lane_differences(unsigned parts, int n)
 {
   const bool decides = law_facts(parts).decides;
-  const int each = 2, open = 3;    // every other scene uses the other raceway
+  const int each = 2, open = 3;    // every second scene is on the other raceway
   Scene s[lanes];
   ContactLanes four;
   ContactState states[2][lanes];
@@ -190,7 +189,7 @@ int lane_differences(unsigned parts, int n)
   double kept[2][lanes][most_states], x[lanes][3], v[lanes][3], w[lanes][3];
   for (int i = 0; i < lanes; ++i) {
     s[i] = scene(parts, n + each * i);
-    if (decides && i == open) {    // within reach, because no film is as thick
+    if (decides && i == open) {    // still within reach, because no film is this thick
       const double away = n % 2 ? 50e-6 : -50e-6;
       s[i].ball.x = s[i].ball.x + s[i].ball.x * (away / norm(s[i].ball.x));
     }
@@ -250,7 +249,7 @@ EXPORT(const char *, law_name, (int law))
 }
 EXPORT(int, law_explicit, (int law)) { return law_facts(laws_of_parts()[law]).explicit_step; }
 
-// Computes n x n slopes from duals and from differences and n forces; returns n.
+// Computes n forces, and n x n slopes both from duals and from differences; returns n.
 EXPORT(int, law_slopes,
        (int law, int sample, double dual[36], double difference[36], double forces[6]))
 {
@@ -260,8 +259,7 @@ EXPORT(int, law_slopes,
   return n;
 }
 
-// Returns the number of values that are not bitwise identical, for a law that implicit steps can
-// use.
+// Returns how many values are not bitwise identical for a law that implicit steps can use.
 EXPORT(int, law_bits, (int law, int sample))
 {
   const Scene s = scene(laws_of_parts()[law], sample);
@@ -275,7 +273,7 @@ EXPORT(int, law_lanes, (int law, int sample))
   return lane_differences(laws_of_parts()[law], sample);
 }
 
-// Returns -1 if the law is not compiled as a whole.
+// Returns -1 if the law is not among those that are compiled as a whole.
 EXPORT(int, law_fused, (int law, int sample))
 {
   const Scene s = scene(laws_of_parts()[law], sample);
@@ -286,8 +284,8 @@ EXPORT(int, law_fused, (int law, int sample))
   return different;
 }
 
-// Returns the reason why keywords cannot form this set of parts, or "" if they can. The names of
-// the parts are passed one after another.
+// Returns the reason why keywords cannot form this set of parts, or "" if they can. `names`
+// contains the names of the parts one after another.
 EXPORT(const char *, law_contradiction, (const char *names))
 {
   static std::string text;
@@ -300,7 +298,7 @@ EXPORT(const char *, law_contradiction, (const char *names))
   return text.c_str();
 }
 
-// Return the instruction sets of the processor and of the code that evaluates contacts.
+// Returns whether the processor has AVX2, and whether contacts are evaluated with it.
 EXPORT(int, has_avx2, ())
 {
 #ifdef __x86_64__

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All contact laws, loaded contacts of a 6208 to which they are applied, and numbers with a small
-// perturbation.
+// All contact laws, the loaded contacts of a 6208 to which they are applied, and a number type with
+// a small perturbation.
 #ifndef RACEWAY_TESTS_LAW_SCENES_H
 #define RACEWAY_TESTS_LAW_SCENES_H
 
@@ -12,7 +12,7 @@
 
 namespace raceway {
 
-// A number, and the value that it takes after a small change of the motions. held() returns the
+// A number, and the value it assumes after a small change in the motions. held() returns the
 // unperturbed number, because a quantity that a law treats as constant in its derivative must not
 // change in the difference either.
 struct Shifted {
@@ -45,7 +45,7 @@ inline Shifted operator/(const Shifted &a, const Shifted &b)
   return {a.value / b.value, a.moved / b.moved};
 }
 inline Shifted operator-(const Shifted &a) { return {-a.value, -a.moved}; }
-// takes the branch of the unperturbed number, because a law is differentiated within its branches
+// uses the branch of the unperturbed number, because a law is differentiated within its branches
 inline bool operator<(const Shifted &a, double b) { return a.value < b; }
 inline bool operator>(const Shifted &a, double b) { return a.value > b; }
 inline bool operator>(const Shifted &a, const Shifted &b) { return a.value > b.value; }
@@ -59,7 +59,7 @@ inline Shifted magnitude(const Shifted &a) { return a.value < 0.0 ? -a : a; }
 inline Shifted where(bool test, const Shifted &yes, const Shifted &no) { return test ? yes : no; }
 }    // namespace raceway
 
-// included here because it needs the number type above
+// included here because it requires the number type above
 #include "any_parts.h"
 
 using namespace raceway;
@@ -92,7 +92,7 @@ struct Scene {
   bool stage;
 };
 
-// Sets those parameters of a part that are 0 to another value, so that each effect of the part is
+// Gives those parameters of a part that are 0 another value, so that every effect of the part is
 // present and a wrong slope is detected.
 template <class Part> void enliven(RacewayPhysics &p)
 {
@@ -103,14 +103,13 @@ template <class Part> void enliven(RacewayPhysics &p)
       if (!parameter.number || parameter.open || parameter.least != 0.0) continue;
       double &value = parameter.number(p, own);
       const auto *const at = reinterpret_cast<const char *>(&value);
-      // the parameter must belong to this part and must be 0
+      // the parameter must belong to this part, and must be 0
       if (at < begin || at >= end || value != 0.0) continue;
       value = std::isfinite(parameter.most) ? 0.5 * parameter.most : 1.0;
     }
 }
 
-// Returns the n-th loaded contact of a 6208, with a contact angle and a sliding speed that depend
-// on n.
+// Returns the n-th loaded contact of a 6208; its contact angle and sliding speed depend on n.
 Scene scene(unsigned parts, int n)
 {
   std::mt19937 random(n);
@@ -137,7 +136,7 @@ Scene scene(unsigned parts, int n)
   s.p.of<SlipSlicesPart>().share = 0.7;
   Parts::each([&s](auto tag) { enliven<typename decltype(tag)::type>(s.p); });
   s.p.prepare(30.3e-3, 8.17e-3, 0.05);
-  // a lightly loaded contact must not open
+  // lightly loaded contacts must not open
   const bool light = s.p.has<FilmInGapPart>() && n % 5 == 0;
   const double overlap = light ? between(-3e-8, 3e-8) : between(1e-6, 30e-6);
   const double distance = s.p.slack + overlap, fastest = light ? 5e-5 : 5e-3;

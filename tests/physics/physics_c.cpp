@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exports the physics headers with a C interface for the tests in this folder; physics_c.py calls
+// Exports the physics headers through a C interface to the tests in this folder; physics_c.py calls
 // the functions by name (see src-package/core/interface/exports.h). All numbers are doubles, even
 // those that select an option.
 #include "../../src-package/core/geometry/rail.h"
@@ -16,7 +16,7 @@ using namespace raceway;
 
 EXPORTS
 
-// Data of one raceway in the form used by the tests.
+// Data for one raceway, in the form that the tests use.
 RECORD(RacewayInput, double side, raceway_radius, groove_radius, ball_radius, ball_young,
        ball_poisson, ring_young, ring_poisson, ellipse, film, viscosity, pressure_viscosity,
        damper_full_axis, damper_rolling_radius, friction, mu, mu_boundary, mu_full, lambda_1,
@@ -29,7 +29,7 @@ RECORD(Constants, double K, a, b, p, min_lnA, min_p, min_m, central_lnA, central
 RECORD(Derived, double centre_circle, slack, largest_overlap, roughness, inverse_roughness, floor,
        kt_ratio, ct_factor, modulus;)
 RECORD(Place, double u[3], t[3], r, z, s, nu, ne;)
-// lam stands for lambda, which is reserved in Python
+// lam stands for lambda, which is a reserved word in Python
 RECORD(State, double u[3], t[3], r, z, nu, ne, overlap, root, cos_angle, overlap_rate, load,
        stiffness, damping, normal, entrainment, sliding_t, sliding_w, h_min, lam, mu, kt, ct,
        friction_t, friction_w;)
@@ -121,7 +121,7 @@ static void put(const ContactState &c, State *out)
   out->friction_w = c.friction_w;
 }
 
-// Applies one of the functions of exp_log.h to n numbers, one by one and four at a time.
+// Applies one of the functions in exp_log.h to n numbers, both one by one and four at a time.
 template <class T> static T elementary_of(int which, const T &x)
 {
   return which == 0   ? exponential(x)
@@ -156,7 +156,7 @@ EXPORT(void, vec3_rotate, (const double a[3], const double w[3], double out[3]))
   rotate(Vec3::from(a), Vec3::from(w)).to(out);
 }
 
-// Computes a + b, a - b, s a, a s, -a, a += b, a -= b, and b added to the components of a.
+// Computes a + b, a - b, s a, a s, -a, a += b, a -= b, and b added to a component by component.
 EXPORT(void, vec3_algebra, (const double pa[3], const double pb[3], double s, double out[24]))
 {
   const Vec3 a = Vec3::from(pa), b = Vec3::from(pb);
@@ -321,7 +321,7 @@ EXPORT(void, raceway_radial, (const RacewayPhysics *p, Constants *out))
   put(p->law.radial(), out);
 }
 
-// Without contact (overlap <= 0) touch() does not set the frame, so it is set here.
+// If there is no contact (overlap <= 0), touch() does not set the frame, so it is set here.
 EXPORT(double, contact_touch,
        (const RacewayPhysics *p, const double d[3], const double e[3], State *state))
 {

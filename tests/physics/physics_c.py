@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The functions of src-package/core, which can be called from Python by name (physics_c.cpp)."""
+"""Call functions in src-package/core by name from Python (physics_c.cpp)."""
 
 import numpy as np
 from raceway.core import laws
@@ -13,7 +13,7 @@ FRICTIONLESS, CONSTANT, STRIBECK = 0, 1, 2  # Friction
 PITCH, BALL = 30.3e-3, 6.3e-3  # m, of a 6208
 BALL_MASS = 4 / 3 * np.pi * BALL**3 * 7800
 
-# Data of a raceway (RacewayInput in physics_c.cpp); the values are those of a dry 6208 inner ring.
+# Data for a raceway (RacewayInput in physics_c.cpp); the values describe a dry 6208 inner ring.
 RACEWAY = dict(
     side=INNER,
     raceway_radius=24.0e-3,
@@ -48,19 +48,19 @@ RACEWAY = dict(
 )
 OIL = dict(viscosity=0.04, pressure_viscosity=15e-9, ring_roughness=40e-9, ball_roughness=30e-9)
 
-# functions of exp_log.h, in the order of physics_c.cpp
+# functions in exp_log.h, in the same order as in physics_c.cpp
 ELEMENTARY = ("exponential", "logarithm", "rough_exponential", "rough_logarithm")
 
 
 class Physics(Library):
-    """The library of core functions; functions that are called often have methods."""
+    """The library of core functions; frequently used functions have their own methods."""
 
     def __init__(self, path):
         super().__init__(path)
-        self.record("RacewayInput", RACEWAY)  # the names in C++ and Python must be equal
+        self.record("RacewayInput", RACEWAY)  # the names in C++ and Python must agree
 
     def elementary(self, name, x):
-        """Apply a function of `ELEMENTARY` to an array; return (one by one, four at a time)."""
+        """Apply a function of `ELEMENTARY` to an array, and return (one by one, four at a time)."""
         one, four = np.full(len(x), np.nan), np.full(len(x), np.nan)
         self.call(
             "elementary",
@@ -102,13 +102,13 @@ class Physics(Library):
         return Raceway(self, changes)
 
     def raceway_6208(self, side, clearance=0.0, **changes):
-        """Return a raceway of a 6208; a diametral clearance (m) enlarges the outer groove."""
+        """Return a raceway of a 6208; a diametral clearance (m) is added to the outer groove."""
         radius = 24.0e-3 if side == INNER else 36.6e-3 + clearance / 2
         return Raceway(self, dict(side=side, raceway_radius=radius) | changes)
 
 
 class Raceway:
-    """A RacewayPhysics and the input `data` from which it was created."""
+    """A RacewayPhysics and the input `data` from which it was constructed."""
 
     def __init__(self, physics, changes):
         assert not set(changes) - set(RACEWAY)
@@ -137,13 +137,13 @@ class Raceway:
         return self._physics.call("raceway_radial", self._handle)
 
     def touch(self, d, e):
-        """Return (whether the surfaces overlap, state with the geometry set)."""
+        """Return (whether the surfaces overlap, contact state with its geometry set)."""
         touching, state = self._physics.call("contact_touch", p=self._handle, d=d, e=e)
         return bool(touching), state
 
     def contact(self, ball, ring, dt=0.0, xi=(0.0, 0.0)):
-        """Return the state, including forces, of the contact between a ball (x, v, w) and a ring
-        (x, v, w, e). The state also contains `xi` after the step."""
+        """Return the state, with forces, of the contact between a ball (x, v, w) and a ring (x, v,
+        w, e). The state also contains `xi` at the end of the step."""
         spring = np.array(xi, dtype=float)
         result, forces = self._physics.call(
             "contact",

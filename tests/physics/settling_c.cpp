@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exports the estimated remaining changes after ball passes to test_physics_settling.py.
+// Exports the estimates of the change that remains after ball passes to test_physics_settling.py.
 #include "../../src-package/core/figures/settling_rest.h"
 #include "../../src-package/core/interface/exports.h"
 
 RECORD(SettlingRest, double torque, load, cage_speed, spin_axis, pocket_fall;)
 
-// Estimates remaining changes from torque, load of each raceway, cage speed, pocket force and pitch
-// angle of the spin axis (rad), for which the means over each ball pass are given.
+// Estimates the remaining changes in torque, load on each raceway, cage speed, pocket force and
+// pitch angle of the spin axis (rad) from their means over each ball pass.
 EXPORT(void, settling_rest,
        (int passes, const double *torque, const double *load, const double *cage_speed,
         const double *pocket_force, const double *pitch, SettlingRest *out))

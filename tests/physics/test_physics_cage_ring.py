@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tests of cage_drag.h and cage_ring.h. The laws agree with closed-form solutions. A pocket and a
-land at any position in space conserve momentum, angular momentum and energy, and do not depend on
-the orientation of the lab."""
+land anywhere in space conserve momentum, angular momentum and energy, and their results do not
+depend on the orientation of the bearing in the lab frame."""
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
 OIL = 0.04
-# A running bearing: diameters of ball and pitch circle (m), cage speed, ball spin relative to the
-# cage (rad/s).
+# A running bearing: diameters of ball and pitch circle (m), cage speed and ball spin relative to
+# the cage (rad/s).
 BEARINGS = {
     "6205": (7.940e-3, 39.04e-3, 74.954, 443.50),
     "MFPT": (5.969e-3, 31.62e-3, 63.076, 397.22),
@@ -22,7 +22,7 @@ def test_oil_in_a_pocket_shears_over_its_band(physics, name, couple):
     law = physics.formula("cage_pocket_shear")
     found = law(OIL, ball / 2, 0.35 * ball, 0.1e-3, 1.0) * spin
     assert found == pytest.approx(couple, rel=2e-4)
-    # integral of (eta v/c) r over the band, with v = w R |cos|
+    # integral of (eta v/c) r over the band, where v = w R |cos|
     angle = (np.arange(400) + 0.5) * 2 * np.pi / 400
     r = ball / 2 * np.abs(np.cos(angle))
     band = 0.35 * ball * ball / 2 * 2 * np.pi / 400
@@ -45,8 +45,8 @@ def test_a_centred_land_is_petroffs_bearing(physics, name, outer, inner):
 
 
 def film(physics, e, angle=0.0, speed=74.954, whirl=0.0, v=(0.0, 0.0)):
-    """Return the force on the cage of a 6205, radially outwards and in the direction of rotation,
-    if the cage has the relative eccentricity `e` in the direction `angle` (rad)."""
+    """Return the radial force (outwards) and the tangential force (in the direction of rotation) on
+    the cage of a 6205 with the relative eccentricity `e` in the direction `angle` (rad)."""
     ball, pitch, _, _ = BEARINGS["6205"]
     c = 0.2e-3
     out, along = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
@@ -94,7 +94,7 @@ def test_a_disc_churns_as_in_the_tables(physics):
         assert found == pytest.approx(couple, rel=0.02)
         assert law(0.1, 870.0, OIL, pitch / 2 + 0.3 * ball, -cage) == -found
     assert law(0.1, 870.0, OIL, 0.02, 0.0) == 0
-    # turbulent flow: the fifth root of the Reynolds number
+    # turbulent flow: the drag coefficient falls with the fifth root of the Reynolds number
     fast = law(1.0, 870.0, 1e-4, 0.05, np.array([400.0, 800.0]))
     assert fast[1] / fast[0] == pytest.approx(2**1.8, rel=1e-12)
 
@@ -126,8 +126,8 @@ CAGE = dict(
 
 
 def scene(pocket=3, push=(0.0, 0.0, 0.0), seed=0, tilt=0.0, **changes):
-    """Return a cage, a ring, and a ball displaced by `push` (m, along circle, axis, radius) from
-    the centre of a pocket, all in motion."""
+    """Return a cage, a ring and a ball, all in motion. The ball is displaced from the centre of a
+    pocket by `push` (m, along circle, axis and radius)."""
     draw = np.random.default_rng(seed)
     lean = Rotation.from_rotvec([tilt * 0.6, -tilt * 0.8, 0.0])
     azimuth = CAGE["angle"] + CAGE["phase"] + 2 * np.pi * pocket / CAGE["pockets"]
@@ -159,7 +159,7 @@ def test_a_pocket_keeps_angular_momentum_and_power(physics, push, tilt, spherica
         assert c.pocket == 4 and c.overlap > 0
         about_cage = np.cross(s["ball_x"] - s["x"], c.force) + c.ball_torque + c.cage_moment
         assert about_cage == pytest.approx([0, 0, 0], abs=1e-13 * (1 + np.linalg.norm(c.force)))
-        # of the power taken from both bodies, F d(overlap)/dt is stored in a spring and the
+        # of the power that both bodies supply, F d(overlap)/dt is stored in a spring, and the
         # remainder is dissipated
         power = (
             np.dot(c.force, s["ball_v"] - s["v"])
@@ -218,7 +218,7 @@ def test_friction_brakes_a_spinning_ball_with_its_coefficient(physics):
     c = physics.call("cage_pocket", s)
     along = c.force - np.dot(c.force, c.normal) * c.normal
     assert np.linalg.norm(along) == pytest.approx(0.1 * c.push, rel=1e-4)
-    # opposite to the motion of the ball's surface
+    # friction acts opposite to the motion of the ball's surface
     assert np.dot(along, np.cross([0, 0, 1], -c.normal)) < 0
     assert c.ball_torque[2] == pytest.approx(-0.1 * c.push * BALL, rel=1e-4)
 
@@ -255,8 +255,7 @@ def test_a_land_keeps_power_and_its_slopes_are_those_of_its_force(physics, guide
             for axis in range(2):
                 move = np.zeros(3)
                 move[axis] = step
-                # the ring does not spin here, so a displacement of the ring does not change any
-                # velocity
+                # the ring does not spin here, so displacing it does not change any velocity
                 still = s | dict(ring_w=np.zeros(3), w=s["w"] + s["ring_w"])
                 ends = [
                     physics.call("cage_land", still | {name: still[name] + sign * move}).force[:2]
@@ -269,7 +268,7 @@ def test_a_land_keeps_power_and_its_slopes_are_those_of_its_force(physics, guide
 
 
 def test_a_dry_land_rubs_where_it_touches(physics):
-    """The drag acts on the far side of an inner land. Moments about one point cancel by
+    """The drag acts on the far side of an inner land. The moments about one point cancel by
     construction, because the cage receives a force at its centre and a couple."""
     for guide, sign in ((2, 1), (1, -1)):
         zero = {n: np.zeros(3) for n in ("v", "ring_v", "ring_w")}
@@ -292,6 +291,6 @@ def test_the_pocket_of_a_ball_is_the_nearest(physics):
             s = scene(pocket)
             azimuth = CAGE["angle"] + CAGE["phase"] + 2 * np.pi * pocket / 9
             s["angle"] = CAGE["angle"] + turns
-            off = azimuth + turns + 0.2  # within half the pocket spacing, 0.35 rad
+            off = azimuth + turns + 0.2  # less than half the pocket spacing, 0.35 rad
             s["ball_x"] = s["x"] + PITCH * np.array([np.cos(off), np.sin(off), 0])
             assert physics.call("cage_pocket", s).pocket == pocket

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of capacitance.h against equations 8 and 10 to 12, their limits and the CODATA value of
+"""Tests of capacitance.h against equations 8 and 10 to 12, their limits, and the CODATA value of
 epsilon_0."""
 
 import numpy as np
@@ -17,8 +17,8 @@ def test_clausius_mossotti_is_proportional_to_density(ambient, pressure):
     eps = laws.permittivity(ambient, pressure)
     density = (0.59e9 + 1.34 * pressure) / (0.59e9 + pressure)
     assert laws.density_ratio(pressure) == pytest.approx(density, rel=1e-15)
-    # the expected values are the inverse of the tested function; 1 - c >= 0.3 here, so rounding
-    # errors are magnified only a few times
+    # the expected values are computed with the inverse of the tested function; since 1 - c >= 0.3,
+    # rounding errors are magnified only by a small factor
     assert (eps - 1) / (eps + 2) == pytest.approx(
         (ambient - 1) / (ambient + 2) * density, rel=1e-14, abs=1e-15
     )
@@ -33,7 +33,7 @@ def test_limits():
 
 
 def test_parallel_plates():
-    # the CODATA value of epsilon_0 changes by 1e-10 between editions
+    # the CODATA value of epsilon_0 changes by about 1e-10 between editions
     assert laws.contact_capacitance(2.15, 2e-3, 2.2e-4, 3e-7) == pytest.approx(
         epsilon_0 * 2.15 * np.pi * 2e-3 * 2.2e-4 / 3e-7, rel=1e-9
     )
@@ -47,7 +47,7 @@ def test_series():
 
 
 def test_what_has_no_value_keeps_none():
-    """An open contact has no pressure, so its row is NaN."""
+    """An open contact has no contact pressure, so its row is NaN."""
     given = np.array([np.nan, 1e9])
     for law in (
         lambda x: capacitance.permittivity(2.2, x),

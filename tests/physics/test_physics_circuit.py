@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of circuit.h, film_network.h, film_breakdown.h and waveform.h against closed-form solutions
-and against the same circuit solved as dense systems."""
+"""Tests of circuit.h, film_network.h, film_breakdown.h and waveform.h against closed-form
+solutions, and against the solution of the same circuit as dense systems."""
 
 import dataclasses
 from contextlib import nullcontext
@@ -33,9 +33,9 @@ ROW = "film_voltage bearing_voltage bearing_voltage_after film_energy energy".sp
 
 
 def with_edges(given, terms, breakdown):
-    """Return the data points of the films, of their limits and of the outer circuit. For each edge
-    of the driving voltage two points are inserted, one just before and one just after the edge. The
-    positions of the films' own points are also returned."""
+    """Return the points for the films, for their limits and for the outer circuit, with two points
+    inserted at each edge of the driving voltage, one just before and one just after it. Also return
+    the positions of the original points."""
     n = len(given.time)
     arrays = [given.time, given.capacitance, given.conductance, given.thickness, terms.driving]
     rows, own = [[one[0] for one in arrays]], [0]
@@ -91,8 +91,8 @@ def test_against_dense_systems(name):
 
 
 def test_discharges_do_not_depend_on_the_step():
-    """Films fail at edges if a period of the carrier has at least 8 points, so discharges do not
-    depend on the step."""
+    """Films break down at edges if there are at least 8 points per carrier period, so discharges do
+    not depend on the step."""
     given = turning(n=11)
     runs = [circuit.run(given, MOTOR_OF_INVERTER, WEAK, points=points) for points in (16, 17, 320)]
     figures = [
@@ -110,8 +110,8 @@ def test_discharges_do_not_depend_on_the_step():
 
 @pytest.mark.parametrize("outer", [SOURCE_OF_INVERTER, SOURCE_OF_TABLE])
 def test_edges_between_points_keep_the_order(outer):
-    """Halving the step reduces the error of the second-order method to a quarter, even if there are
-    edges between points."""
+    """Halving the step quarters the error of the second-order method, even if there are edges
+    between points."""
     given = turning(n=11, **LEAKY)
     ends = {
         points: circuit.run(given, outer, points=points).data.bearing_voltage[::points]
@@ -123,8 +123,8 @@ def test_edges_between_points_keep_the_order(outer):
 
 
 def test_one_leg_switches_at_a_time():
-    """Inverter edges are steps of a third of the DC voltage at the times at which scipy's triangle
-    wave crosses the sine, for any number of points. Each edge starts from the voltage at which the
+    """Inverter edges are steps of a third of the DC voltage, which occur when scipy's triangle wave
+    crosses the sine, for any number of points. Each edge starts from the voltage at which the
     previous one ended."""
     wave = CommonMode(560.0, 1950.0, 50.0, 0.8)
     fine, coarse = (wave.edges(np.linspace(0, 0.02, n)) for n in (100_001, 313))
@@ -143,7 +143,7 @@ def test_one_leg_switches_at_a_time():
 
 
 def test_a_full_discharge_leaves_other_charges():
-    """After many discharges with a ring of constant charge, the discharge energy minus the
+    """After many discharges with a ring whose charge is constant, the discharge energy minus the
     mechanical work plus the stored energy equals the initial energy."""
     given = turning(thickness=(20e-9, 40e-9))
     data, events = circuit.run(given, Floating(7.0), WEAK)
@@ -154,8 +154,8 @@ def test_a_full_discharge_leaves_other_charges():
 
 
 def test_a_charge_that_loses_its_films():
-    """Ball 1 is charged by the failure of one of its films. If the ball then loses its films, an
-    error reports the charge; a charge that is only rounding error does not count."""
+    """Ball 1 is charged when one of its films breaks down. If the ball then loses its films, there
+    is an error that reports the charge; a charge within rounding error is ignored."""
     thickness = np.array([[100e-9, 900e-9], [900e-9, 900e-9]])
     for left, lost in (([0.0, 0.0], True), ([40 * PICO, 0.0], False)):
         capacitance = np.full((5, 2, 2), 40 * PICO)
@@ -172,14 +172,14 @@ def test_limit():
 
 
 def in_series(admittance):
-    """Return the conductance of films with `admittance` in S (Z, 2), where the two films of each
-    ball are in series."""
+    """Return the conductance of films with the `admittance` (Z, 2) in S, where the two films of
+    each ball are in series."""
     return (admittance.prod(1) / admittance.sum(1)).sum()
 
 
 @pytest.mark.parametrize("frequency", [0.1, 1e3, 1e7])
 def test_t11_impedance_and_back(frequency):
-    """If the two films of a ball leak equally, C and R are recovered to rounding accuracy."""
+    """If the two films of each ball leak equally, C and R are recovered to rounding accuracy."""
     random = np.random.default_rng(11)
     for c, tau in zip(random.uniform(1, 900, 20) * PICO, 10 ** random.uniform(-5, 1, 20)):
         both = np.array([[c], [2 * c]])
@@ -212,7 +212,7 @@ def test_t11_impedance_of_a_bearing():
 
 @pytest.mark.parametrize("roughness", [0.0, 25e-9, 60e-9])
 def test_threshold_is_that_of_statics(roughness):
-    """The threshold equals the result of the function that `raceway electric` uses for the same
+    """The threshold equals the result of the function that `raceway electric` uses, for the same
     films."""
     random = np.random.default_rng(5)
     thickness = random.uniform(90e-9, 900e-9, (2, 2, 9))
@@ -225,7 +225,7 @@ def test_threshold_is_that_of_statics(roughness):
 
 
 def test_waveforms():
-    at = np.linspace(0, 0.07, 3001) + 1e-7  # away from crossings of sine and triangle wave
+    at = np.linspace(0, 0.07, 3001) + 1e-7  # avoid crossings of sine and triangle wave
     near = dict(rtol=1e-12, atol=1e-11)
     sine = 20.0 * np.sin(2 * np.pi * 50.0 * at + 0.3)
     np.testing.assert_allclose(Sine(20.0, 50.0, 0.3)(at), sine, **near)
@@ -241,7 +241,7 @@ def test_waveforms():
 
 @pytest.mark.parametrize("name", ["rough", "leaking source"])
 def test_cases_have_discharges_of_all_kinds(name):
-    """One or several films break down at both raceways; otherwise the comparison would not be
+    """Single and multiple films break down, at both raceways; otherwise the comparison would not be
     conclusive."""
     given, outer, breakdown = CASES[name]
     events = circuit.run(given, outer, breakdown, points=1).events

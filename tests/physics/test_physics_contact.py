@@ -3,9 +3,9 @@
 arithmetic and against the conservation laws.
 
 Positions have rounding errors of 1e-17 m (an ulp of 0.03 m), and the ball is s = 0.2 mm away from
-the circle of groove centres. Directions are therefore accurate to 1e-13, and speeds (at most 100
-m/s here, with cancellation) to 1e-12 of the largest speed; the overlap (10 um) has a relative
-accuracy of 1e-12.
+the circle of groove centres. Directions are therefore accurate to 1e-13, and speeds to 1e-12 of the
+largest speed (at most 100 m/s here, with cancellation). The relative accuracy of the overlap (10
+um) is 1e-12.
 """
 
 import mpmath
@@ -32,8 +32,8 @@ AXES = {
 
 
 def scene(side, axis="tilted", angle=0.4, overlap=1e-5, azimuth=0.7, ring_w=(20.0, -35.0, 150.0)):
-    """Return (ball, ring) for a ball with a given overlap at a contact angle (rad), with all bodies
-    in motion."""
+    """Return (ball, ring) for a ball with a given overlap at a given contact angle (rad), where all
+    bodies are in motion."""
     e = AXES[axis]
     first = unit(np.cross(e, [0.3, 1.0, 0.1]))
     u = np.cos(azimuth) * first + np.sin(azimuth) * np.cross(e, first)
@@ -43,7 +43,7 @@ def scene(side, axis="tilted", angle=0.4, overlap=1e-5, azimuth=0.7, ring_w=(20.
     place = ring[0] + CIRCLE[side] * u + (SLACK + overlap) * normal
     velocity = 2.0 * np.cross(e, u) + 0.03 * u - 0.02 * e
     rate = (velocity - ring[1] - np.cross(ring[2], place - ring[0])) @ normal
-    velocity += (0.013 - rate) * normal  # closes slowly, so that the contact is loaded
+    velocity += (0.013 - rate) * normal  # the contact closes slowly, so it is loaded
     return (place, velocity, np.array([90.0, -60.0, -400.0])), ring
 
 
@@ -82,7 +82,7 @@ def test_speeds_are_those_of_the_bodies(physics, side, axis, angle, azimuth, rin
 @SIDES
 @pytest.mark.parametrize("turning", [(0.0, 0.0, 200.0), (150.0, -40.0, 60.0)])
 def test_turning_the_whole_world_changes_no_speed(physics, side, turning):
-    # the same rigid rotation of both bodies leaves overlap, slip and entrainment unchanged
+    # rotating both bodies rigidly leaves overlap, slip and entrainment unchanged
     ball, ring = scene(side)
     spin, about = np.array(turning), np.array([0.01, 0.02, -0.01])
     moved = [(x, v + np.cross(spin, x - about), w + spin, *rest) for x, v, w, *rest in (ball, ring)]
@@ -102,13 +102,13 @@ def test_a_moving_observer_sees_the_same(physics, side):
         (ball[0], ball[1] + drift, ball[2]), (ring[0], ring[1] + drift, *ring[2:])
     )
     for name in ("overlap_rate", "sliding_t", "sliding_w", "entrainment"):
-        # v - V has an error of an ulp of 2 m/s
+        # the error of v - V is an ulp of 2 m/s
         assert getattr(moved, name) == pytest.approx(getattr(still, name), abs=1e-14)
 
 
 @SIDES
 def test_overlap_rate_along_the_motion(physics, side):
-    # compared with finite differences of the header's overlap for a tilting ring
+    # comparison with finite differences of the header's overlap, for a tilting ring
     ball, ring = scene(side)
     ring_model = make(physics, side)
 
@@ -118,8 +118,8 @@ def test_overlap_rate_along_the_motion(physics, side):
 
     h = 3e-8
     found = (overlap(h) - overlap(-h)) / (2 * h)
-    # the truncation error is h^2 v^3/(6 s^2) with v across the normal below 1 m/s; the rounding
-    # error is 2e-17 m/h
+    # the truncation error is h^2 v^3/(6 s^2), where v, the speed across n, is below 1 m/s; the
+    # rounding error is 2e-17 m/h
     assert ring_model.contact(ball, ring).overlap_rate == pytest.approx(
         found, abs=h**2 / (6 * SLACK**2) + 2e-17 / h
     )
@@ -127,7 +127,7 @@ def test_overlap_rate_along_the_motion(physics, side):
 
 @SIDES
 def test_tilting_ring_alone_closes_the_contact(physics, side):
-    # the ball is at rest, and the ring rotates about a line perpendicular to its axis:
+    # the ball is at rest, and the ring rotates about a line perpendicular to its axis, so
     # d(overlap)/dt = -n.(W x arm)
     ball, ring = scene(side)
     ball, ring = (
@@ -159,9 +159,9 @@ def test_pure_rolling_does_not_slide(physics, side, inner, outer):
     state = make(physics, side).contact(
         (ball[0] * (1 + (1e-12 if side == OUTER else -1e-12)), *ball[1:]), ring
     )
-    # the ball is 3e-14 m from the pitch circle, so that it just touches
+    # the ball is 3e-14 m away from the pitch circle, so that it just touches the raceways
     assert state.sliding_t == pytest.approx(0, abs=1e-10)
-    # the textbook formula is (1 - gamma^2)/2 omega r_pitch for the speed difference of the rings
+    # the textbook formula for the speed difference of the rings is (1 - gamma^2)/2 omega r_pitch
     gamma = BALL / PITCH
     assert state.entrainment == pytest.approx(
         abs(inner - outer) * PITCH * (1 - gamma**2) / 2, abs=1e-10
@@ -187,7 +187,7 @@ def test_load_and_stiffness(physics, side, angle):
     # angle
     normal, h = state.nu * state.u + state.ne * ring[3], 2e-9
     loads = [raceway.contact((ball[0] + step * normal, *ball[1:]), ring).load for step in (h, -h)]
-    # the truncation error is (h/overlap)^2/24 for a 3/2 power, the rounding error 2e-17 m/h
+    # the truncation error is (h/overlap)^2/24 for a power of 3/2; the rounding error is 2e-17 m/h
     assert state.stiffness == pytest.approx(
         (loads[0] - loads[1]) / (2 * h), rel=(h / 1e-5) ** 2 / 24 + 2e-17 / h * 3
     )
@@ -200,8 +200,8 @@ def test_damping_is_the_slope_of_the_normal_force(physics, side):
     state = raceway.contact(ball, ring)
     normal, step = state.nu * state.u + state.ne * ring[3], 1e-3
     pushed = raceway.contact((ball[0], ball[1] + step * normal, ball[2]), ring)
-    # N is linear in the rate, and a motion along n changes only U_r, so the error is the rounding
-    # error of forces of 1e3 N (1e-12 of them) divided by C step
+    # N is linear in the rate, and a motion along n changes only U_r; the error is thus the rounding
+    # error of forces of 1e3 N (1e-12 of the force), divided by C step
     found = (pushed.normal - state.normal) / step
     assert found == pytest.approx(state.damping, rel=1e-10 + 1e-9 / (state.damping * step))
     assert pushed.overlap_rate - state.overlap_rate == pytest.approx(step, abs=1e-12)
@@ -223,7 +223,7 @@ def test_damping_is_the_sum_of_both_laws(physics, side, angle):
         / np.sqrt(2)
         * (BALL / h_min) ** 1.5
     )
-    # the error equals the accuracy of the table multiplied by ln U and ln Q
+    # the error is that of the table, multiplied by ln U and ln Q
     assert state.h_min == pytest.approx(h_min, rel=1e-8)
     assert state.lam == pytest.approx(h_min / 50e-9, rel=1e-8)
     assert state.damping == pytest.approx(1.5 * 0.08 * state.load + fluid, rel=3e-8)  # h^-1.5
@@ -253,7 +253,7 @@ def test_no_adhesion(physics, side):
     ball, ring = scene(side)
     state = make(physics, side).contact(ball, ring)
     normal = state.nu * state.u + state.ne * ring[3]
-    # N becomes zero if the separation speed increases by this speed
+    # N vanishes if the separation speed increases by this amount
     critical = state.load / state.damping + state.overlap_rate
     for factor, sign in ((0.99, 1), (1.01, 0), (100.0, 0)):
         away = make(physics, side).contact(
@@ -261,7 +261,7 @@ def test_no_adhesion(physics, side):
         )
         assert np.sign(away.normal) == sign
         assert away.load > 0
-    # friction is zero as well
+    # the friction is also zero
     assert away.force.tolist() == [0, 0, 0] and away.ball_torque.tolist() == [0, 0, 0]
 
 
@@ -360,8 +360,7 @@ def test_force_and_torque_act_at_the_contact_point(physics, side, axis, angle, a
 @SIDES
 @SCENES
 def test_momentum_is_conserved(physics, side, axis, angle, azimuth):
-    # the force on the ring is opposite to the force on the ball; their moments about any point
-    # cancel
+    # the forces on ball and ring are opposite, and their moments about any point cancel
     ball, ring = scene(side, axis, angle, azimuth=azimuth)
     state = make(physics, side).contact(ball, ring, dt=1e-7)
     for about in (np.zeros(3), np.array([0.2, -0.1, 0.4])):
@@ -371,15 +370,15 @@ def test_momentum_is_conserved(physics, side, axis, angle, azimuth):
             + state.ring_torque
             + np.cross(ring[0] - about, -state.force)
         )
-        # rounding errors of lever arms below 1 m
+        # rounding errors for lever arms below 1 m
         assert moment == pytest.approx(0, abs=1e-14 * np.linalg.norm(state.force))
 
 
 @SIDES
 @SCENES
 def test_power_is_that_of_the_contact(physics, side, axis, angle, azimuth):
-    # the power that both bodies receive equals the power of spring, damper and friction; the test
-    # thus relates rates to forces
+    # the power supplied to both bodies equals the power of spring, damper and friction; this test
+    # therefore relates rates to forces
     ball, ring = scene(side, axis, angle, azimuth=azimuth)
     state = make(physics, side).contact(ball, ring, dt=1e-7)
     received = (
@@ -410,7 +409,7 @@ def test_direction_in_space_does_not_matter(physics, side):
         [turned(v) for v in ball], [turned(v) for v in ring], dt=1e-7
     )
     for name, lever in (("force", 1.0), ("ball_torque", BALL), ("ring_torque", PITCH)):
-        # the rotation changes the ball's position by an ulp, which is 1e-12 of the overlap
+        # the rotation changes the position of the ball by an ulp, which is 1e-12 of the overlap
         assert getattr(other, name) == pytest.approx(
             turned(getattr(one, name)), abs=1e-10 * np.linalg.norm(one.force) * lever
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of damped_hertz.h: a Hertz spring with critical damping and without adhesion."""
+"""Tests of damped_hertz.h: a Hertzian spring with critical damping and no adhesion."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ def test_spring(physics):
 def test_stiffness_is_the_slope_of_the_spring(physics):
     overlap, h = 2e-6, 1e-9
     slope = (contact(physics, overlap + h).force - contact(physics, overlap - h).force) / (2 * h)
-    # truncation error (h/overlap)^2/24 for a 3/2 power; rounding error eps overlap/h
+    # the truncation error is (h/overlap)^2/24 for a power of 3/2, the rounding error eps overlap/h
     bound = (h / overlap) ** 2 / 24 + 1e-15 * overlap / h
     assert contact(physics, overlap).stiffness == pytest.approx(slope, rel=bound)
 
@@ -26,16 +26,16 @@ def test_stiffness_is_the_slope_of_the_spring(physics):
 def test_growth_is_the_slope_of_the_force_of_a_closing_contact(physics):
     overlap, rate, h = 2e-6, 0.01, 1e-9
     up, down = (contact(physics, overlap + off, rate).force for off in (h, -h))
-    # of the powers 3/2 and 1/4, the latter has the larger truncation error, (h/overlap)^2 7/32
+    # of the powers 3/2 and 1/4, the latter has the larger truncation error, 7/32 (h/overlap)^2
     bound = 7 / 32 * (h / overlap) ** 2 + 1e-15 * overlap / h
     assert contact(physics, overlap, rate).growth == pytest.approx((up - down) / (2 * h), rel=bound)
-    # an opening contact still has the force of its spring
+    # while the contact opens, the force is still that of the spring
     assert contact(physics, overlap, -rate).growth == contact(physics, overlap).stiffness
 
 
 def test_damping_is_critical(physics):
     c = contact(physics, 2e-6)
-    # m x'' + c x' + k x = 0 has a double root: its discriminant is zero
+    # m x'' + c x' + k x = 0 has a double root, i.e. its discriminant is zero
     assert c.damping**2 == pytest.approx(4 * c.stiffness * MASS, rel=1e-15)
 
 

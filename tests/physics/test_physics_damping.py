@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of damping.h against equations 4 and 5, the lower bound and the options in the errata."""
+"""Tests of damping.h against equations 4 and 5, the lower bound, and the options in the errata."""
 
 import numpy as np
 import pytest
@@ -20,15 +20,15 @@ def test_equation_5():
 
 
 def test_numbers_of_the_6208():
-    """The damping equals the values in docs/theory, section Normal damping: 0.8, 3.1, 8.7 kN s/m at
-    5 kN and 0.04 Pa s."""
+    """The damping equals the values in docs/theory, section Normal damping: 0.8, 3.1 and 8.7 kN s/m
+    at 5 kN and 0.04 Pa s."""
     found = [film_damping(0.04, 2.059e-3, BALL, h) for h in (500e-9, 200e-9, 100e-9)]
     assert found == pytest.approx([0.8e3, 3.1e3, 8.7e3], abs=50)
 
 
 def test_over_damped_below_a_quarter_of_a_micron():
-    # c > 2 sqrt(k m) for the ball between both raceways at 5 kN, with k = 4.19e8 N/m and two
-    # dampers; the docs state "about 250 nm"
+    # c > 2 sqrt(k m) for the ball between both raceways at 5 kN, where k = 4.19e8 N/m and there are
+    # two dampers; the docs state "about 250 nm"
     mass, k = 4 / 3 * np.pi * BALL**3 * 7800, 4.19e8
     excess = [
         2 * film_damping(0.04, 2.03e-3, BALL, h) / (2 * np.sqrt(k * mass)) for h in (200e-9, 320e-9)

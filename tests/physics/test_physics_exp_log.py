@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of exp_log.h against mpmath at the ends of its range, and of lanes against single
-numbers."""
+"""Tests of exp_log.h against mpmath at the ends of its range, and of lanes against scalars."""
 
 import mpmath
 import numpy as np
 import pytest
 
-# The bound stated at the top of the header, in units in the last place of the result.
+# The bound stated at the top of the header, in units in the last place (ulp) of the result.
 UNITS = 2.0
 
 
@@ -57,8 +56,8 @@ def test_last_place(physics, name, exact):
 
 
 def test_rough_ones(physics):
-    """Errors of the rough functions are within the bounds stated at the top of the header and are
-    zero at 0 and 1."""
+    """The errors of the rough functions are within the bounds stated at the top of the header, and
+    vanish at 0 and 1."""
     x = np.append(np.linspace(-1, 0, 2001), -1e3)
     one, four = physics.elementary("rough_exponential", x)
     assert np.abs(one[:-1] / np.exp(x[:-1]) - 1).max() < 0.02

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of film.h against equations 6 and 9 as printed in the paper, their limits and the
+"""Tests of film.h against equations 6 and 9 as printed in the paper, their limits, and the
 errata."""
 
 import itertools
@@ -12,8 +12,8 @@ from raceway.core import laws
 STEEL = 210e9 / (1 - 0.09)
 OIL = (0.04, 15e-9)
 CASES = list(itertools.product([0.3, 1.0, 8.0], [1e-3, 0.7, 20.0], [1e-3, 50.0, 2436.0]))
-# ln h is a sum of about ten terms of at most 50, so each rounding changes h by at most a fraction
-# of 1e-14.
+# ln h is a sum of about ten terms of at most 50, so each rounding error changes h by at most a
+# fraction of 1e-14.
 ROUNDING = 1e-13
 
 
@@ -94,7 +94,8 @@ def test_errata_the_plus_sign_agrees_with_hamrock_dowson(physics, side):
         physics.film(model, kappa, 0.04, 13e-9, STEEL, r_x, 0.01, 2436.0)[1]
         for model in (MASJEDI_PRINTED, HAMROCK_DOWSON)
     )
-    # the docs state "up to 65 % high at low speed", more on the inner ring than on the outer ring
+    # the docs state "up to 65 % high at low speed", with a larger error on the inner than the outer
+    # ring
     assert 1.5 < minus / reference < 1.66
 
 

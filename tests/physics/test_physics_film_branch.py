@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the film branch, a spring and a dashpot in series: its step, damping and step limit."""
+"""Tests of the film branch, a spring and dashpot in series: step, damping and step limit."""
 
 import mpmath
 import numpy as np
@@ -12,8 +12,9 @@ from scipy.linalg import expm
 
 
 def series(k, h_c, elastic, b, speed, force, rate, step):
-    """Return (k_m, 1/tau, force after a step and its slope) for a spring and a dashpot in series,
-    in 40-digit arithmetic: f(t) = f_0 e^(-t/tau) + k_m tau (1 - e^(-t/tau)) d(overlap)/dt."""
+    """Return (k_m, 1/tau, force after a step, slope of this force) for a spring and a dashpot in
+    series, in 40-digit arithmetic:
+    f(t) = f_0 e^(-t/tau) + k_m tau (1 - e^(-t/tau)) d(overlap)/dt."""
     with mpmath.workdps(40):
         k_m = mpf("0.44") * k * min(mpf(h_c) / elastic, 1)
         decay = mpf(speed) / (mpf("1.33") * b)
@@ -35,8 +36,8 @@ def test_branch_against_high_precision(speed, step, h_c):
 
 @pytest.mark.parametrize("step", [1e-6, 1e-4, 1e-2])
 def test_branch_in_a_stage_is_backward_euler(step):
-    """The force of the branch solves f = f_0 + dt (k_m d(overlap)/dt - f/tau), as a second-order
-    implicit method requires in its stages."""
+    """The force of the branch satisfies f = f_0 + dt (k_m d(overlap)/dt - f/tau), as required in
+    the stages of a second-order implicit method."""
     stiffness, decay = laws.film_branch(2e8, 160e-9, 17e-6, 150e-6, 0.7)
     left, slope = laws.film_branch_step(stiffness, decay, step, True)
     force = left * 3.0 + slope * 2e-4
@@ -46,7 +47,7 @@ def test_branch_in_a_stage_is_backward_euler(step):
 
 def test_dashpot_of_the_top_ball(inner):
     """The dashpot constants are 659, 331, 219 and 135 N s/m. These values contain 0.59 instead of
-    0.44 x 1.33, so they are 0.6 % higher than those of the branch."""
+    0.44 x 1.33, so they exceed those of the branch by 0.6 %."""
     for speed, expected in zip((0.072476, 0.724764, 2.899, 14.4946), (659, 331, 219, 135)):
         load = 2436.2
         elastic = (load / inner.stiffness) ** (2 / 3)
@@ -64,7 +65,7 @@ def test_dashpot_of_the_top_ball(inner):
 @pytest.mark.parametrize("time", [1e-7, 3e-6, 1e-5, 1e-4, 1e-2])
 @pytest.mark.parametrize("c", [0.0, 300.0])
 def test_step_limit_of_the_branch(physics, time, c):
-    """The spectral radius shows that the scheme is stable up to the limit and unstable at 1.25
+    """The spectral radius shows that the scheme is stable up to the limit, and unstable at 1.25
     times the limit."""
     k, k_m, m = 2e8, 8e7, 8e-3
 
@@ -86,7 +87,7 @@ def test_step_limit_of_the_branch(physics, time, c):
 
 
 def test_branch_is_a_spring_and_a_dashpot_in_series():
-    """The exact step of the branch equals the matrix exponential of its equation."""
+    """The exact step of the branch agrees with the matrix exponential of its equation."""
     branch = film_damping.Branch(3e7, 2e-4)
     rate = np.array([[-1 / branch.time, branch.stiffness], [0, 0]])
     for step in (1e-6, 1e-4, 1e-2):

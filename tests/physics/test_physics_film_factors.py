@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the factors by which inlet shear and starvation make the film thinner, against published
-values and 40-digit arithmetic."""
+"""Tests of the factors by which inlet shear and starvation reduce the film thickness, against
+published values and 40-digit arithmetic."""
 
 import pytest
 from film_scene import ROUNDING, SPEEDS, Gap
@@ -53,7 +53,7 @@ def test_gupta(physics, speed, sliding):
 
 
 def test_gupta_beyond_its_range(physics):
-    """Outside the range of Gupta's formula Python raises an error, whereas a run continues with a
+    """Outside the range of Gupta's formula, Python raises an error, whereas a run continues with a
     tenth of the factor at zero pressure."""
     loading = film_factors.thermal_loading(0.047, 0.04, 90.0, 0.134)
     with pytest.raises(ValueError, match="range of Gupta"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the film in the gap according to a power law, against published values, 40-digit
+"""Tests of the film in the gap when it follows a power law, against published values, 40-digit
 arithmetic and finite differences."""
 
 import itertools
@@ -40,7 +40,7 @@ def test_against_high_precision(gap, overlap, speed, share, starvation):
     assert open_ == (load == 0) == (package.load == 0)
     if open_:
         return
-    # near the edge, overlap and film cancel, so the rounding error comes from the exponents of the
+    # near the edge, overlap and film cancel, so the rounding error is that of the exponents of the
     # film
     worst = ROUNDING * (1 + share * h_c / elastic)
     for compression, other in ((found.compression, found), (package.elastic, package)):
@@ -52,8 +52,8 @@ def test_against_high_precision(gap, overlap, speed, share, starvation):
 
 
 def test_the_equation_holds_everywhere(gap):
-    """delta_H = delta + zeta h_c(Q) and Q = K delta_H^1.5 are satisfied for all films and overlaps
-    on a coarse grid."""
+    """On a coarse grid of films and overlaps, delta_H = delta + zeta h_c(Q) and Q = K delta_H^1.5
+    are satisfied everywhere."""
     radial = gap.raceway.radial()
     for speed, share in itertools.product(np.geomspace(1e-4, 100, 25), (1e-3, 0.3, 1.0, 2.0)):
         edge = share * np.exp(radial.central_lnA + radial.central_p * np.log(speed))
@@ -78,13 +78,13 @@ def test_slope_is_the_difference(gap):
             continue
         loads = [end[1].load for end in ends]
         if (loads[0] - 1) * (loads[1] - 1) < 0:
-            continue  # the kink where the film is cut off
+            continue  # skip the kink where the film is cut off
         difference = (loads[1] - loads[0]) / (2 * step)
         assert found.slope == pytest.approx(difference, rel=1e-8)
 
 
 def test_continuous_through_loss_of_contact(gap):
-    """Neither load nor film thickness jumps between a gap wider than the film and a loaded
+    """Neither load nor film thickness jumps between a gap that is wider than the film and a loaded
     contact."""
     for speed in SPEEDS:
         edge = float(gap.law(speed)(1.0))
@@ -95,7 +95,7 @@ def test_continuous_through_loss_of_contact(gap):
         overlaps = np.linspace(-edge * (1 - 1e-9), 2 * edge, 2001)
         loads = np.array([gap.cpp(d, speed)[1].load for d in overlaps])
         assert np.all(np.diff(loads) > 0)
-        # the slope is largest at the end, so a jump in the load would exceed it
+        # the slope is largest at the end of the range, so a jump in the load would exceed it
         steepest = gap.cpp(2 * edge, speed)[1].slope
         assert np.diff(loads).max() <= 1.01 * steepest * (overlaps[1] - overlaps[0])
 
@@ -109,7 +109,7 @@ def test_at_rest_it_is_hertz(gap):
 
 
 def test_a_film_beyond_the_reach_is_held_there(gap):
-    """At 1e9 m/s the contact begins, without load, at the reach of the film."""
+    """At 1e9 m/s, the contact begins with zero load at the reach of the film."""
     reach = gap.cpp(0.0, 1.0)[1].reach
     assert reach == pytest.approx(0.01 * 6.3e-3, rel=1e-14)
     assert gap.cpp(-reach * (1 + 1e-12), 1e9)[0]
@@ -118,12 +118,12 @@ def test_a_film_beyond_the_reach_is_held_there(gap):
 
 
 def test_energy_is_the_work(gap):
-    """The stored energy equals the work done from the edge of the film to an overlap at constant
-    speed."""
+    """The stored energy equals the work done between the edge of the film and an overlap, at
+    constant speed."""
     for speed in SPEEDS:
         edge = float(gap.law(speed)(1.0))
         for end in (0.5e-6, 17e-6):
-            kink = gap.stiffness ** (-2 / 3) - edge  # at this overlap the load is 1 N
+            kink = gap.stiffness ** (-2 / 3) - edge  # the load is 1 N at this overlap
             cut = [d for d in (-edge * 0.9, kink, 0.0) if -edge < d < end]
             work, _ = quad(
                 lambda d, speed=speed: gap.cpp(d, speed)[1].load,

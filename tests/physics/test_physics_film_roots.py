@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of film thicknesses that are the root of an equation: the formula for all regimes and
-Gupta's factor."""
+"""Tests of film thicknesses that are the root of an equation: those of the formula for all regimes
+and those with Gupta's factor."""
 
 import itertools
 
@@ -10,7 +10,7 @@ from film_scene import OVERLAPS, SPEEDS, scene
 from references import film as reference
 from scipy.integrate import quad
 
-# films that are found by Newton's method
+# films that are computed by Newton's method
 LAWS = {
     "power": {},
     "moes": {"regimes": True},
@@ -21,7 +21,7 @@ ROOTS = {name: law for name, law in LAWS.items() if law}
 
 
 def theory(gap, law, speed, share=1.0, starvation=1.0):
-    """Return the film according to `law` in 40-digit arithmetic."""
+    """Return the film thickness according to `law` in 40-digit arithmetic."""
     base, cut = (gap.regimes, 0.0) if "regimes" in law else (gap.law, 1.0)
     film_law = base(speed, starvation)
     return gap.heated(film_law, speed, law["sliding"], cut) if "shear" in law else film_law
@@ -38,7 +38,7 @@ def test_roots_against_high_precision(gap, law, speed, share, starvation):
         open_, found = gap.cpp(overlap, speed, share, starvation, **law)
         package = gap.python(law, speed, share, starvation, overlap)
         assert (load == 0) == (package.load == 0)
-        # a run never uses a film thicker than the reach
+        # in a run, a film is never thicker than the reach
         within = share * h_c <= found.reach
         assert open_ == (load == 0) or not within
         worst = 1e-10 * (1 + share * h_c / elastic) if load > 0 else 0.0
@@ -54,15 +54,14 @@ def test_roots_against_high_precision(gap, law, speed, share, starvation):
 
 
 def test_digits_of_all_regimes(inner):
-    """At zero overlap and 9549 rpm the load matches a reference value as long as it is not cut
-    off."""
+    """At zero overlap and 9549 rpm, the load matches a reference value unless it is cut off."""
     assert inner.cpp(0.0, 14.4946, regimes=True)[1].load == pytest.approx(81.56, abs=0.005)
 
 
 @pytest.mark.parametrize("law", ROOTS.values(), ids=ROOTS)
 def test_roots_everywhere(gap, law):
-    """delta_H = delta + zeta h, where h is at most the reach, is satisfied from the edge of the
-    film to a heavy load and from low to high speed."""
+    """From the edge of the film to a heavy load and from low to high speed, the equation
+    delta_H = delta + zeta h is satisfied, where h is at most the reach."""
     reach = gap.cpp(0.0, 1.0)[1].reach
     for speed, share in itertools.product(np.geomspace(1e-6, 60, 15), (1e-3, 0.3, 1.0, 2.0)):
         law_there = theory(gap, law, speed)
@@ -91,7 +90,7 @@ def test_roots_are_continuous_through_loss_of_contact(gap, law):
         slopes = np.array([gap.cpp(d, speed, **law)[1].slope for d in overlaps])
         rises = np.diff(loads)
         assert np.all(rises > 0)
-        # a jump of the load would exceed the slopes at both ends and the steep rise at the edge
+        # a jump in the load would exceed the slopes at both ends and the steep rise at the edge
         wall = 1.5 * gap.stiffness * np.sqrt(overlaps[1] - overlaps[0])
         steepest = np.maximum(np.maximum(slopes[1:], slopes[:-1]), 0) * 1.5
         within = rises <= np.maximum(steepest, wall) * (overlaps[1] - overlaps[0])
@@ -108,7 +107,7 @@ def test_slopes_of_roots_are_differences(gap, law):
             continue
         loads = [gap.cpp(overlap + s * step, speed, **law)[1].load for s in (-2, -1, 1, 2)]
         if (loads[0] - 1) * (loads[3] - 1) < 0:
-            continue  # the kink where a power law is cut off
+            continue  # skip the kink where a power law is cut off
         difference = (loads[0] - 8 * loads[1] + 8 * loads[2] - loads[3]) / (12 * step)
         assert found.slope == pytest.approx(difference, rel=1e-6)
         checked += 1
@@ -135,8 +134,8 @@ def test_energy_of_roots_is_the_work(gap, law, speed):
 
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 def test_lanes_have_the_bits_of_a_double(gap, law):
-    """Four contacts of all kinds evaluated in lanes are bitwise identical to each contact evaluated
-    alone, because the number of iterations for one contact does not affect the others."""
+    """Four contacts of various kinds evaluated in lanes are bitwise identical to the same contacts
+    evaluated alone, because the number of iterations for one contact does not affect the others."""
     random = np.random.default_rng(1)
     for _ in range(200):
         speed = np.exp(random.uniform(np.log(1e-3), np.log(30), 4))
@@ -156,14 +155,14 @@ def test_lanes_have_the_bits_of_a_double(gap, law):
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 @pytest.mark.parametrize("speed", [0.0, 1e-12])
 def test_contact_at_rest_is_dry(gap, law, speed):
-    """Without entrainment a gap carries no load, and an overlap is purely elastic."""
+    """Without entrainment, a gap carries no load, and a contact with overlap is purely elastic."""
     for overlap in OVERLAPS:
         open_, found = gap.cpp(overlap, speed, **law)
         if overlap:
             assert open_ == (overlap < 0)
         if overlap <= 0:
             continue
-        thin = 1e-7 * overlap  # a power law leaves a film with a thickness of 1e-13 m
+        thin = 1e-7 * overlap  # under a power law, a film with a thickness of 1e-13 m remains
         assert found.compression == pytest.approx(overlap, abs=thin)
         load = gap.stiffness * overlap**1.5
         assert found.load == pytest.approx(load, rel=2e-7)

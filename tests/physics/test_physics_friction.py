@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of friction.h: the Stribeck transition and the capped tangential spring."""
+"""Tests of friction.h: the Stribeck transition and the limited tangential spring."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ def test_stribeck_ends():
 
 
 def test_stribeck_is_the_cubic():
-    # s^2 (3 - 2 s) is the only cubic with these end values and zero slope at both ends
+    # s^2 (3 - 2 s) is the only cubic with these end values and with zero slope at both ends
     for s in np.linspace(0.05, 0.95, 7):
         expected = 0.12 - 0.10 * (3 * s**2 - 2 * s**3)
         assert mu(0.8 + 2.1 * s) == pytest.approx(expected, rel=1e-14)
@@ -30,8 +30,8 @@ def test_stribeck_is_the_cubic():
 def test_stribeck_has_no_kink(end):
     h = 1e-4
     inside, outside = (abs(mu(end + side) - mu(end)) / h for side in (-h, h))
-    # mu is constant on one side of the end; on the other side mu'' = 6 (mu_f - mu_b)/(l2 - l1)^2,
-    # so the quotient is mu'' h/2
+    # mu is constant on one side of the end; on the other side, mu'' = 6 (mu_f - mu_b)/(l2 - l1)^2,
+    # so the difference quotient is mu'' h/2
     assert sorted([inside, outside]) == pytest.approx(
         [0, 0.5 * 6 * 0.10 / 2.1**2 * h], rel=1e-3, abs=1e-12
     )
@@ -64,7 +64,7 @@ def test_slip_keeps_the_direction_and_the_size_of_the_cap(physics):
     trial = np.array([1e7 * 3e-7 + 30 * 0.01, -1e7 * 2e-7 + 30 * 0.02])
     force, xi = spring(physics, (3e-7, -2e-7), (0.01, 0.02), cap=1.5)
     assert force == pytest.approx(1.5 * trial / np.linalg.norm(trial), rel=1e-14)
-    # the spring is reset so that spring and dashpot together give exactly this force
+    # the spring is reset such that spring and dashpot together exert exactly this force
     again, same = spring(physics, xi, (0.01, 0.02), cap=1.5 * (1 + 1e-12))
     assert again == pytest.approx(force, rel=1e-12) and same == pytest.approx(xi, rel=1e-12)
 
@@ -76,7 +76,7 @@ def test_without_load_no_friction(physics):
 
 
 def test_steady_sliding_reaches_coulomb(physics):
-    # in the order used in contact.h: xi += dt v, then the force
+    # the order is that of contact.h: xi += dt v, then the force
     xi, velocity, dt = np.zeros(2), np.array([0.3, -0.4]), 1e-7
     for _ in range(200):
         xi += dt * velocity
@@ -85,8 +85,8 @@ def test_steady_sliding_reaches_coulomb(physics):
 
 
 def test_a_sticking_ball_swings_on_the_spring(physics):
-    # x'' = -k x/m, starting from rest on one side: half a period later the mass is on the other
-    # side, without loss if there is no damping
+    # x'' = -k x/m, starting from rest on one side: after half a period, the mass is on the other
+    # side, at the same distance because there is no damping
     k, m, steps = 1e7, 1e-3, 2000
     period = 2 * np.pi * np.sqrt(m / k)
     dt, xi, v = period / 2 / steps, np.array([1e-6, 0.0]), 0.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of groove.h: the position of a ball in a torus groove, compared with the surfaces of both
+"""Tests of groove.h: the position of a ball in a torus groove is compared with the surfaces of both
 bodies."""
 
 import mpmath
@@ -16,7 +16,7 @@ TILTED = np.array([0.1, -0.05, 1.0]) / np.linalg.norm([0.1, -0.05, 1.0])
 
 
 def place(azimuth, radius, height, axis=TILTED):
-    """Return a point given by cylindrical coordinates about `axis`."""
+    """Return the point with the given cylindrical coordinates about `axis`."""
     first = np.cross(axis, [0.0, 1.0, 0.0])
     first /= np.linalg.norm(first)
     return (
@@ -27,7 +27,7 @@ def place(azimuth, radius, height, axis=TILTED):
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_numbers_of_the_groove(physics, side):
     radius = 24.0e-3 if side == INNER else 36.6e-3
-    # lengths are of order 1e-2 m, so a rounding error is 1e-18 m
+    # lengths are of order 1e-2 m, so their rounding errors are 1e-18 m
     assert physics.call(
         "groove_circle", side=side, raceway_radius=radius, groove=6.552e-3, ball=BALL
     ) == pytest.approx(CIRCLE[side], abs=1e-17)
@@ -38,7 +38,7 @@ def test_numbers_of_the_groove(physics, side):
 def test_a_ball_on_the_pitch_circle_just_touches_both_grooves(physics, side, radial):
     touching, state = physics.raceway_6208(side).touch([0.0, PITCH, 0.0], [0.0, 0.0, 1.0])
     assert state.overlap == pytest.approx(0, abs=2e-17)
-    # towards the axis on the inner ring, outwards on the outer ring
+    # the normal points towards the axis on the inner ring, and outwards on the outer ring
     assert [state.nu, state.ne] == pytest.approx([radial, 0], abs=1e-12)
     assert [*state.u, *state.t] == pytest.approx([0, 1, 0, -1, 0, 0], abs=3e-16)
 
@@ -60,7 +60,7 @@ def test_against_high_precision(physics, side, azimuth, radius, height):
         np.concatenate([expected["u"], expected["t"]]), abs=1e-15
     )
     normal = g.nu * g.u + g.ne * TILTED
-    assert normal == pytest.approx(expected["n"], abs=5e-13)  # these errors divided by s = 0.2 mm
+    assert normal == pytest.approx(expected["n"], abs=5e-13)  # rounding divided by s = 0.2 mm
     assert g.r * g.u + g.z * TILTED == pytest.approx(d, abs=2e-17)
 
 
@@ -71,7 +71,7 @@ def test_against_high_precision(physics, side, azimuth, radius, height):
 def test_overlap_is_the_depth_of_the_ball_in_the_ring(physics, side, azimuth, radius, height):
     d = place(azimuth, radius, height)
 
-    def depth(angles):  # distance by which a point of the ball lies behind the groove, m
+    def depth(angles):  # m, how far a point of the ball is behind the surface of the groove
         theta, phi = angles
         point = d + BALL * np.array(
             [np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)]
@@ -94,14 +94,14 @@ def test_overlap_is_the_depth_of_the_ball_in_the_ring(physics, side, azimuth, ra
         method="Nelder-Mead",
         options=dict(xatol=1e-8, fatol=1e-13, maxiter=2000),
     )
-    # at the top of a smooth maximum the error is the square of the angular error (1e-7) times 30 mm
+    # at a smooth maximum, the error is the square of the angular error (1e-7) times 30 mm
     assert -1e-3 * found.fun == pytest.approx(state.overlap, abs=1e-14)
     assert touching == (state.overlap > 0)
 
 
 def test_free_contact_angle_and_endplay(physics):
-    # eqs A.2-A.4: the inner ring is at its axial stop, and the ball is on the line through the
-    # groove centres
+    # eqs A.2-A.4: the inner ring is at its axial stop, and the centre of the ball is on the line
+    # through the groove centres
     clearance = 20e-6
     bearing = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     angle, endplay = free_contact_angle(bearing, clearance), free_endplay(bearing, clearance)
@@ -111,7 +111,7 @@ def test_free_contact_angle_and_endplay(physics):
         for side, ring, height in ((INNER, inner, endplay / 2), (OUTER, outer, 0.0))
     }
     line = centres[INNER] - centres[OUTER]
-    # rounding errors of 0.03 m, relative to a distance of 0.5 mm
+    # rounding errors of lengths of 0.03 m, relative to a distance of 0.5 mm
     assert np.linalg.norm(line) == pytest.approx(groove_distance(bearing), abs=3e-17)
     ball = (centres[INNER] + centres[OUTER]) / 2
     for ring, centre, sign in ((inner, endplay / 2, -1), (outer, 0.0, 1)):
@@ -120,6 +120,6 @@ def test_free_contact_angle_and_endplay(physics):
         assert [state.nu, state.ne] == pytest.approx(
             [sign * np.cos(angle), sign * np.sin(angle)], abs=1e-12
         )
-    # if the ball is slightly farther away, it is compressed
+    # a ball that is slightly farther away is compressed
     _, state = inner.touch(ball - [0, 0, endplay / 2 + 1e-7], [0.0, 0.0, 1.0])
     assert state.overlap > 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of hertz.h against 40-digit arithmetic, the sphere, Hertz's equations and the errata."""
+"""Tests of hertz.h against 40-digit arithmetic, the sphere, Hertz's equations, and the errata."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from references import hertz as reference
 from scipy.integrate import quad
 
 STEEL = 210e9 / (1 - 0.09)
-# The error is some tens of rounding errors of 1e-16, plus the rounding error of a root.
+# The bound covers some tens of rounding errors of 1e-16 and the rounding error of a root.
 ROUNDING = 1e-13
 
 
@@ -23,12 +23,12 @@ def test_ellipse_against_high_precision(physics, alpha):
 
 
 def approach_and_curvatures(a, b, pressure, modulus):
-    """Return the displacement and curvatures of two elastic half-spaces under the pressure
+    """Return the displacement and the curvatures of two elastic half-spaces under the pressure
     p sqrt(1 - x^2/a^2 - y^2/b^2).
 
     Hertz's potential integrals (Johnson 3.39, 4.19) are evaluated by quadrature, without elliptic
-    integrals: the displacement is (p a b/E*)/2 int (1 - x^2/(a^2 + s) - y^2/(b^2 + s)) ds/sqrt((a^2
-    + s)(b^2 + s)s), E* = E'/2.
+    integrals. The displacement is (p a b/E*)/2 int (1 - x^2/(a^2 + s) - y^2/(b^2 + s)) ds/sqrt((a^2
+    + s)(b^2 + s)s), where E* = E'/2.
     """
 
     def moment(power_a, power_b):  # s = b^2 t^2 removes the root at 0
@@ -64,8 +64,8 @@ def test_circle_is_the_sphere(physics, form):
     # for two spheres R_x = R_y = R* = r1 r2/(r1 + r2)
     h, r1, r2 = physics.hertz(2e-3, 2e-3, STEEL, form), 6e-3, 3e-3
     sphere = 4 / 3 * (STEEL / 2) * np.sqrt(2e-3)
-    # the exact root is bracketed to 1e-12 in ln kappa; K is stationary there, but the semi-axes are
-    # not
+    # the exact root is bracketed to within 1e-12 in ln kappa; K is stationary there, but the
+    # semi-axes are not
     assert h.K == pytest.approx(sphere, rel=ROUNDING)
     assert laws.sphere_stiffness(r1, r2, STEEL) == pytest.approx(sphere, rel=1e-15)
     # a = sqrt(R overlap)
@@ -74,7 +74,7 @@ def test_circle_is_the_sphere(physics, form):
 
 @pytest.mark.parametrize("nearly", [1e-12, 1e-9, 1e-6, 1e-3])
 def test_the_sphere_is_approached_linearly(physics, nearly):
-    # for a circular contact K is symmetric in both curvatures: K(R, R(1+d)) = K(R, R)(1 + d/4 +
+    # for a circular contact, K is symmetric in both curvatures: K(R, R(1+d)) = K(R, R)(1 + d/4 +
     # O(d^2))
     h = physics.hertz(2e-3, 2e-3 * (1 + nearly), STEEL)
     assert h.K == pytest.approx(
@@ -118,7 +118,7 @@ def test_fits_as_written(physics, form):
     first = (1 if form == PRINTED else np.pi / 2) + q * np.log(alpha)
     assert [h.kappa, h.Fbar, h.Ebar] == pytest.approx([kappa, first, second], rel=1e-15)
     curve = 5e-3 * alpha / (1 + alpha)
-    # eq 2 in the paper's notation: 2 pi kappa G/(1 - nu) sqrt(2 E R/(9 F^3)), G = E/(2(1 + nu))
+    # eq 2 as in the paper: 2 pi kappa G/(1 - nu) sqrt(2 E R/(9 F^3)), where G = E/(2(1 + nu))
     shear = 210e9 / 2.6
     assert h.K == pytest.approx(
         2 * np.pi * kappa * shear / 0.7 * np.sqrt(2 * second * curve / (9 * first**3)), rel=ROUNDING
@@ -130,12 +130,12 @@ def test_errata_the_printed_integral_is_32_per_cent_too_stiff(physics, side):
     exact, fit, printed = (
         physics.hertz(*physics.radii(side), STEEL, form).K for form in (EXACT, HAMROCK, PRINTED)
     )
-    assert fit == pytest.approx(exact, rel=0.03)  # the accuracy stated by Hamrock and Brewe
+    assert fit == pytest.approx(exact, rel=0.03)  # the accuracy that Hamrock and Brewe state
     assert printed / exact == pytest.approx(1.32, abs=0.02)
 
 
 def test_errata_equation_3_has_an_extra_factor():
-    # PA66 cage ball on steel, E* as in eq 3; the printed 1/(1 - nu) is 1.43 for steel
+    # for a PA66 cage ball on steel, E* as in eq 3; the printed factor 1/(1 - nu) is 1.43 for steel
     e_star = 1 / ((1 - 0.3**2) / 210e9 + (1 - 0.41**2) / 3.3e9)
     modulus = laws.reduced_modulus(210e9, 0.3, 3.3e9, 0.41)
     assert modulus == pytest.approx(2 * e_star, rel=1e-15)
@@ -149,7 +149,7 @@ def test_errata_equation_3_has_an_extra_factor():
 
 def test_like_bodies_have_the_plane_strain_modulus():
     assert laws.reduced_modulus(210e9, 0.3, 210e9, 0.3) == pytest.approx(STEEL, rel=1e-15)
-    # in contact with a rigid body, only the soft body deforms
+    # in contact with a rigid body, only the elastic body deforms
     assert laws.reduced_modulus(3.3e9, 0.41, 1e30, 0.3) == pytest.approx(
         2 * 3.3e9 / (1 - 0.41**2), rel=1e-15
     )
@@ -159,9 +159,10 @@ def test_like_bodies_have_the_plane_strain_modulus():
 @pytest.mark.parametrize("angle", [0.0, 0.5, 1.4, np.pi / 2])
 def test_effective_radii_are_the_curvatures_of_the_surfaces(physics, side, sign, angle):
     r_x, r_y = physics.radii(side, np.cos(angle))
-    # along rolling, the normal curvature of a raceway follows from its parallel by Meusnier's
-    # theorem: cos(angle) divided by the radius of the contact point, convex on the inner and
-    # concave on the outer raceway; the contact point is R_b cos(angle) away from the pitch circle
+    # in the rolling direction, the normal curvature of a raceway follows from its parallel by
+    # Meusnier's theorem: it is cos(angle) divided by the radius of the contact point, and is convex
+    # on the inner and concave on the outer raceway; the contact point is R_b cos(angle) away from
+    # the pitch circle
     contact = PITCH + sign * BALL * np.cos(angle)
     curvature = 1 / BALL - sign * np.cos(angle) / contact
     assert [1 / r_x, 1 / r_y] == pytest.approx([curvature, 1 / BALL - 1 / 6.552e-3], rel=1e-13)
@@ -175,8 +176,8 @@ def test_mindlin_of_like_bodies(nu):
 
 
 def test_mindlin_of_unlike_bodies_adds_compliances():
-    # compliance of each body multiplied by a: (2 - nu)/(8 G) tangentially, (1 - nu^2)/(2 E)
-    # normally
+    # the compliance of each body, multiplied by a, is (2 - nu)/(8 G) tangentially and
+    # (1 - nu^2)/(2 E) normally
     bodies = ((210e9, 0.3), (3.3e9, 0.41))
     tangential = sum((2 - nu) * 2 * (1 + nu) / (8 * young) for young, nu in bodies)
     normal = sum((1 - nu**2) / (2 * young) for young, nu in bodies)

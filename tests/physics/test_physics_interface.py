@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the C interface, which is called by name (exports.h, exports.py): names matter, but not
-their order."""
+"""Tests of the C interface, through which functions are called by name (exports.h, exports.py):
+names matter, but their order does not."""
 
 import subprocess
 from pathlib import Path

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of every set of parts that forms a contact law: derivatives from duals are compared with
-finite differences; the results of a law are bitwise identical whether it is evaluated part by part,
-as a whole or in lanes; contradictory sets are rejected.
+"""Tests of every set of parts that forms a contact law. Derivatives from duals agree with finite
+differences. The results of a law are bitwise identical whether it is evaluated part by part, as a
+whole or in lanes. Contradictory sets are rejected.
 
 The text of a law states which quantities its derivative treats as constant; the differences treat
-the same quantities as constant. Fourth-order central differences use a step of 1e-5 of the natural
-size of a motion, 0.1 m/s and 10 rad/s. Their rounding error is 2e-16/1e-5 of the force divided by
-that size, well below 1e-9 of the largest slope.
+the same quantities as constant. The differences are central and of fourth order, and their step is
+1e-5 of the natural size of a motion, which is 0.1 m/s or 10 rad/s. Their rounding error is
+2e-16/1e-5 of the force divided by that size, which is well below 1e-9 of the largest slope.
 """
 
 import ctypes
@@ -23,8 +23,8 @@ def laws(physics):
 
 
 def some(law):
-    """Return the indices of a few samples, which differ between laws. Over all sets of parts, every
-    part is tested with all samples."""
+    """Return the indices of a few samples, which differ from law to law. Together, the sets of
+    parts test every part with all samples."""
     return [(7 * law + 5 * k) % SAMPLES for k in range(4)]
 
 
@@ -37,7 +37,7 @@ def test_duals_are_differences(physics):
             n, dual, difference, forces = physics.call("law_slopes", law, sample)
             dual, difference = dual[: n * n].reshape(n, n), difference[: n * n].reshape(n, n)
             assert forces[0] > 0, "the samples are loaded contacts"
-            # forces and couples have different units, and so do speeds and rotations
+            # forces and couples have different units, as do speeds and rotations
             for rows in (slice(0, 3), slice(3, n)):
                 for columns, size in ((slice(0, 3), 0.1), (slice(3, n), 10.0)):
                     block = dual[rows, columns]
@@ -53,8 +53,8 @@ def test_duals_are_differences(physics):
 
 
 def test_sets_that_nobody_listed_are_there(physics):
-    """The sets contain each part with and without a film, except parts that need a film; 7 laws are
-    compiled as a whole."""
+    """The sets contain each part with and without a film, except for parts that require one; 7 laws
+    are compiled as a whole."""
     names = laws(physics)
     assert len(names) == len(set(names)) > 600
     fused = [name for law, name in enumerate(names) if physics.call("law_fused", law, 0) >= 0]
@@ -70,7 +70,7 @@ def test_lanes_and_duals_have_the_bits_of_a_double(physics):
 
 def test_a_law_compiled_as_a_whole_has_the_bits_of_its_parts(physics):
     """All values of the contact and its stored states are bitwise identical, and so are the slopes
-    if an implicit step uses the law."""
+    if the law can be used in implicit steps."""
     for law, name in enumerate(laws(physics)):
         if physics.call("law_fused", law, 0) >= 0:
             different = [physics.call("law_fused", law, sample) for sample in range(SAMPLES)]
@@ -78,8 +78,8 @@ def test_a_law_compiled_as_a_whole_has_the_bits_of_its_parts(physics):
 
 
 def test_contacts_of_the_host_s_step_in_lanes(physics):
-    """Four different contacts in lanes, one of them open, are bitwise identical to each contact
-    evaluated alone."""
+    """Four different contacts evaluated in lanes, one of them open, are bitwise identical to the
+    same contacts evaluated alone."""
     for law, name in enumerate(laws(physics)):
         different = [physics.call("law_lanes", law, sample) for sample in some(law)]
         assert different == [0] * len(different), name

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the kinds of lubrication against quadrature and scipy: the fraction of the rolling
-resistance that remains if the inlet is short, oil around the balls, and the asperity fraction of
-the models `full`."""
+"""Tests of oil supply and asperities against quadrature and scipy: the fraction of the rolling
+resistance that remains if the inlet is short, the oil around the balls, and the fraction of the
+load that asperities carry in the models `full`."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ THICKNESS = np.geomspace(1e-3, 20.0, 12)
 @pytest.mark.parametrize("length", [1.5, 3.0, 10.0, 50.0])
 def test_share_of_a_short_inlet(length):
     exact = np.array([reference.inlet_share(length, one) for one in THICKNESS])
-    # Simpson's rule with steps of 0.1 in ln(X - 1); the integral is cut off below e^-14
+    # Simpson's rule with steps of 0.1 in ln(X - 1), and a lower limit of e^-14 for the integral
     assert laws.inlet_share(length, THICKNESS) == pytest.approx(exact, rel=1e-5)
     b, r_x = 0.2e-3, 5e-3
     fitted = rolling.inlet(length, THICKNESS * b**2 / (2 * r_x), b, r_x)
@@ -30,8 +30,8 @@ def test_ends_of_the_inlet():
 
 
 def test_the_shortest_inlet_that_feeds_the_film_leaves_half():
-    """With the meniscus of Hamrock and Dowson, the shortest inlet that feeds the film leaves half
-    of the rolling resistance over the range found in bearings."""
+    """With the meniscus of Hamrock and Dowson, the shortest inlet that still feeds the film leaves
+    half of the rolling resistance, over the range of film thicknesses in bearings."""
     for thickness in (0.007, 0.07, 0.3, 1.0, 3.0, 18.0):
         length = 1 + 3.06 * (thickness / 2) ** 0.58
         assert 0.49 < reference.inlet_share(length, thickness) < 0.57
@@ -39,9 +39,9 @@ def test_the_shortest_inlet_that_feeds_the_film_leaves_half():
 
 @pytest.mark.parametrize("gap", [12.0])
 def test_the_inlet_of_a_point_contact(gap):
-    """With a meniscus at 12 h_c the force in the two-dimensional solution is 1/1.6 to 1/1.83 of the
-    flooded force (our EHL solutions at 14.5 m/s, 300 and 100 N). The line contact agrees with these
-    values within 12 %."""
+    """With a meniscus at 12 h_c, the force in the two-dimensional solution is the flooded force
+    divided by 1.6 to 1.83 (our EHL solutions at 14.5 m/s, 300 and 100 N). The line-contact result
+    agrees with these values within 12 %."""
     for thickness, known in ((1.248, 1.6), (2.793, 1.83)):
         x = np.linspace(1, 20, 200001)
         height = x * np.sqrt(x * x - 1) - np.arccosh(x)
@@ -51,7 +51,7 @@ def test_the_inlet_of_a_point_contact(gap):
 
 @pytest.mark.parametrize("level", [0.1, 0.5, 1.0, 3.0, 5.5])
 def test_immersed_balls(level):
-    # the tested function uses 720 azimuths, the reference slices with a thickness of 1e-3
+    # the tested function uses 720 azimuths, the reference uses slices with a thickness of 1e-3
     pitch = 30.3 / 6.3
     assert laws.immersed_share(level, pitch) == pytest.approx(
         reference.immersed(level, pitch), abs=1e-3

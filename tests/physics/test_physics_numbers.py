@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The static theory of a 6208 at 5 kN, computed from the constants in the headers, reproduces the
-values in docs/theory, section Numbers to reproduce, and in Table 3 of the paper."""
+"""Statics of a 6208 at 5 kN, computed from the constants in the headers, reproduces the values in
+docs/theory, section Numbers to reproduce, and in Table 3 of the paper."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ def ball_loads(series, shift, clearance):
 
 
 def equilibrium(physics, load, clearance=0.0, form=EXACT):
-    """Return (shift, ball loads) for an inner ring that is pushed towards ball 0, with each ball in
+    """Return (shift, ball loads) for an inner ring that is pushed towards ball 0. Each ball is in
     equilibrium between the raceways."""
     series = np.sum(np.array(stiffness(physics, form)) ** (-2 / 3)) ** -1.5
     shift = brentq(
@@ -65,8 +65,8 @@ def parameter(physics, ratio, form):
     return 0.5 * (1 - clearance / (2 * equilibrium(physics, 5000.0, clearance, form)[0]))
 
 
-# {form: load parameters in docs/errata at P_d/D}, with the digits and ranges (ball phase) given
-# there.
+# {form: load parameters in docs/errata at P_d/D}, with the digits and the ranges (over the ball
+# phase) given there.
 @pytest.mark.parametrize(
     "form, expected",
     [
@@ -104,8 +104,8 @@ def test_errata_of_table_3(physics):
 
 
 def test_the_contacts_themselves_balance_the_load(physics):
-    # with the full geometry each ball takes its radial position between the grooves, and the inner
-    # ring remains a circle, which the theory neglects for balls off the load line (0.4 % for a ball
+    # in the full geometry, each ball finds its radial position between the grooves, and the inner
+    # ring remains a circle; the theory neglects this for balls off the load line (0.4 % for a ball
     # at 80 degrees, raceway.static)
     shift, loads = equilibrium(physics, 5000.0)
     inner, outer = physics.raceway_6208(INNER), physics.raceway_6208(OUTER)

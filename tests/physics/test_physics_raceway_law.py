@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of raceway_law.h: the constants of a raceway and their table over the contact angle."""
+"""Tests of raceway_law.h: the constants of a raceway, and their table over the contact angle."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ STEEL = 210e9 / (1 - 0.09)
 
 def compare(one, other, rel, ln_abs):
     for name in vars(one):
-        # for ln A, the absolute error is the relative error of h
+        # for ln A, the absolute error equals the relative error of h
         bound = dict(abs=ln_abs) if name.endswith("lnA") else dict(rel=rel)
         assert getattr(one, name) == pytest.approx(getattr(other, name), **bound), name
 
@@ -32,7 +32,7 @@ def compare(one, other, rel, ln_abs):
 @pytest.mark.parametrize("film", [MASJEDI, MASJEDI_PRINTED, HAMROCK_DOWSON])
 def test_table_against_the_exact_constants(physics, side, ellipse, film):
     ring = physics.raceway_6208(side, ellipse=ellipse, film=film, damper_rolling_radius=1, **OIL)
-    # between nodes, where the error of a four-point cubic is largest, and at both ends
+    # test between nodes, where the error of a four-point cubic is largest, and at both ends
     for cosine in [
         0.0,
         1e-9,
@@ -49,7 +49,7 @@ def test_table_against_the_exact_constants(physics, side, ellipse, film):
                 c[which + "_lnA"] + c[which + "_p"] * np.log(1e-3) + c[which + "_m"] * np.log(5e3)
                 for c in (vars(found), vars(exact))
             ]
-            assert h[0] == pytest.approx(h[1], abs=1e-8)  # ln u and ln Q magnify the error by ten
+            assert h[0] == pytest.approx(h[1], abs=1e-8)  # ln u and ln Q amplify the error by ten
 
 
 def test_nodes_are_exact(physics):
@@ -59,7 +59,7 @@ def test_nodes_are_exact(physics):
         16,
         32,
         63,
-    ):  # interpolation returns the nodes to rounding (ln A to the rounding of numbers near 30)
+    ):  # at nodes, the error is at most a rounding error (for ln A, that of numbers near 30)
         compare(ring.table(node / 64), ring.exact(node / 64), rel=1e-14, ln_abs=1e-14 * 30)
 
 
@@ -129,7 +129,7 @@ def test_prepared_constants(physics):
     ring = physics.raceway_6208(INNER, **OIL, overlap_limit=0.05)
     d = ring.derived()
     sigma = np.hypot(40e-9, 30e-9)
-    # overlap at which the ellipse is as wide as the groove
+    # the overlap at which the ellipse is as wide as the groove
     widest = (6.552e-3 / ring.radial().a) ** 2
     assert widest < 0.05 * BALL
     assert [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of ring_body.h: the symmetric top."""
+"""Tests of ring_body.h: a ring moves as a symmetric top."""
 
 import numpy as np
 import pytest
@@ -66,8 +66,8 @@ def test_the_axis_stays_a_unit_vector_and_keeps_its_angle_to_the_momentum(physic
     L, steps = momentum(physics), 5000
     e = drift(physics, L, AXIS, 1e-5, steps)
     assert np.linalg.norm(e) == pytest.approx(1, abs=steps * 4e-16)  # one rounding error per step
-    # nutation: L.e is constant in the closed-form solution; here it oscillates with a second-order
-    # error, but does not drift
+    # nutation: L.e is constant in the closed-form solution; here it oscillates with an error of
+    # second order, but does not drift
     assert L @ e / np.linalg.norm(L) == pytest.approx(L @ AXIS / np.linalg.norm(L), abs=2e-5)
 
 

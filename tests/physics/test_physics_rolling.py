@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of rolling.h: no slip at either raceway, frequencies of the 6208, limits."""
+"""Tests of rolling.h: no slip at either raceway, frequencies of the 6208, and limits."""
 
 import numpy as np
 import pytest
@@ -26,7 +26,7 @@ def test_both_rings_together_carry_the_balls_along(physics):
 
 def test_frequencies_of_the_6208(
     physics,
-):  # docs/theory, Numbers to reproduce, to the digits printed there
+):  # values as printed in docs/theory, Numbers to reproduce
     motion = physics.rolling(1.0)
     found = [
         motion.orbit,
@@ -42,7 +42,7 @@ def test_entrainment_of_the_errata(physics):  # 477.5 rpm gives 0.725 m/s, 0.41 
     for rpm, expected in ((477.5, 0.725), (270.0, 0.41)):
         omega = rpm * 2 * np.pi / 60
         motion = physics.rolling(omega)
-        # relative to the ball's centre, the surfaces move with spin - orbit, and at the same speed
+        # relative to the centre of the ball, the surfaces move with spin - orbit, at the same speed
         # at both contacts
         inner = abs((omega - motion.orbit) * (PITCH - BALL))
         ball = abs((motion.spin - motion.orbit) * BALL)

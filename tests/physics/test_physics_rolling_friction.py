@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tests of slip, spin, rolling resistance, mixed friction and drag against integrals over the
-contact, 40-digit arithmetic and published values."""
+contact, 40-digit arithmetic, and published values."""
 
 import numpy as np
 import pytest
@@ -57,7 +57,7 @@ def radii(side, cos_angle=1.0):
 
 
 def turning(side=INNER, speed=0.724764, **changes):
-    """Return a contact that rolls at the entrainment speed `speed` (m/s)."""
+    """Return a contact that rolls with the entrainment speed `speed` (m/s)."""
     at = REST | dict(side=side, entrainment=abs(speed)) | changes
     return at | dict(roll_w=speed / radii(side, at["cos_angle"])[0])
 
@@ -67,7 +67,7 @@ def of(physics, kind, contact, before=NONE):
 
 
 def slip_arguments(found, side=INNER, speed=0.724764, cos_angle=1.0):
-    """Return the arguments (load, friction, speed, a, R_d, R_x) of the functions in
+    """Return the arguments (load, friction, speed, a, R_d, R_x) for the functions in
     theory.sliding."""
     r_d = sliding.deformed_radius(GROOVE, BALL)
     return found.load, FRICTION, speed, found.a, r_d, radii(side, cos_angle)[0]
@@ -88,7 +88,7 @@ def test_closed_form():
         assert found.couple == pytest.approx(couple, abs=1e-12)
         assert sliding.heathcote(slip, **unit) == pytest.approx((force, couple, power), abs=1e-12)
         assert sliding.secant(slip, **unit) == pytest.approx(found.secant, rel=1e-12)
-        # near s_e the root follows from the small difference between F and its limit, so its
+        # near s_e, the root follows from the small difference between F and its limit, so its
         # rounding error is 1e-8
         root = laws.slip_root_of_force(found.force)
         assert root == pytest.approx(found.root, abs=1e-12 if slip < 0.9 else 1e-7)
@@ -103,8 +103,8 @@ def test_closed_form():
     "side, edge, power", [(INNER, 0.047939, 0.94098), (OUTER, 0.029443, 0.57793)]
 )
 def test_free_rolling_loses_its_power(physics, side, edge, power):
-    """At 2436.2 N and mu = 0.05, F is 0 at a slip of 0.120615 s_e, and the couple dissipates the
-    power of free rolling."""
+    """At 2436.2 N and mu = 0.05, F vanishes at a slip of 0.120615 s_e, and the couple dissipates
+    the power of free rolling."""
     r_x = radii(side)[0]
     k = hertz.exact(*radii(side))
     stiffness = physics.raceway_6208(side).radial().K
@@ -124,7 +124,7 @@ def test_free_rolling_loses_its_power(physics, side, edge, power):
 @pytest.mark.parametrize("speed", [0.0724764, 0.724764, -0.724764, 14.4946])
 @pytest.mark.parametrize("part", [-0.5, 0.0, 0.1, 0.120615, 0.5, 1.3])
 def test_slip_law_after_a_long_time(physics, side, speed, part):
-    """With dt >> tau, force, couple and power agree with theory.sliding. They change sign if the
+    """For dt >> tau, force, couple and power agree with theory.sliding. They change sign if the
     ball rolls backwards."""
     contact = turning(side, speed)
     arguments = slip_arguments(of(physics, "slip_of", contact), side, abs(speed))
@@ -144,7 +144,7 @@ def test_slip_law_after_a_long_time(physics, side, speed, part):
 
 
 def test_friction_has_one_circle(physics):
-    """Gross sliding at any angle causes a force mu Q in the direction opposite to sliding."""
+    """Gross sliding in any direction causes a force mu Q opposite to the sliding velocity."""
     for angle in np.linspace(0, 2 * np.pi, 13):
         along, across = 50 * np.cos(angle), 50 * np.sin(angle)
         found = of(physics, "slip_of", turning(sliding_t=along, sliding_w=across))
@@ -174,7 +174,7 @@ def test_spring_in_series(physics, step):
     force, _ = sliding.in_series(15.0, distance, secant, found.kt, step)
     assert found.friction_t == pytest.approx(force, rel=1e-11)
     assert list(found.states) == [found.friction_t, found.friction_w]
-    # the couple belongs to the part of the slip that the spring does not take; spring and slip
+    # the couple belongs to the part of the slip that is not taken up by the spring; spring and slip
     # carry the same force
     edge = sliding.edge_slip(*arguments[2:])
     slip = brentq(
@@ -191,8 +191,8 @@ def test_no_time_changes_nothing(physics):
 
 
 def test_spring_sticks_at_rest(physics):
-    """Without rolling, a contact under a force below mu Q creeps; for a force of mu Q the speed is
-    1e-4/3.80 m/s."""
+    """A contact that does not roll creeps under a force below mu Q; under a force of mu Q, its
+    speed is 1e-4/3.80 m/s."""
     found = of(physics, "slip_of", REST | dict(sliding_t=1e-3, dt=1e-6))
     assert found.friction_t == pytest.approx(found.kt * 1e-3 * 1e-6, rel=1e-3)  # acts as a spring
     assert found.couple_w == 0
@@ -201,7 +201,7 @@ def test_spring_sticks_at_rest(physics):
 
 
 def test_force_falls_with_the_load(physics):
-    """While the ball is being unloaded, a spring force above mu Q is limited to mu Q; the force
+    """While the ball is being unloaded, a spring force above mu Q is reduced to mu Q; the force
     vanishes together with the load."""
     for overlap in (18e-6, 1e-6, 1e-8, 1e-12):
         found = of(physics, "slip_of", turning(overlap=overlap, dt=1e-7), [120.0, -50.0])
@@ -243,8 +243,8 @@ def test_mixed_friction(physics):
 
 @pytest.mark.parametrize("oil", [(0.04, 22e-9), (0.005, 15e-9), (0.1, 25e-9)])
 def test_film_coefficient(oil):
-    """The coefficient equals the sum over its eight Gauss points in 40-digit arithmetic; the
-    integral itself differs by less than 1 %."""
+    """The coefficient equals the sum over its eight Gauss points in 40-digit arithmetic, which
+    differs from the integral by less than 1 %."""
     lowest = []
     for pressure in (1e7, 1e9, 2.5e9, 4e9):
         for rate in np.geomspace(1e-3, 1e9, 13):
@@ -258,8 +258,8 @@ def test_film_coefficient(oil):
 
 
 def test_inverse_sinh_has_no_seam():
-    """The shear stress in the film is so low that the coefficient is determined by asinh alone. It
-    is then continuous at x = 1e-3 and 1, where the formula changes."""
+    """If the shear stress in the film is so low that asinh alone determines the coefficient, the
+    coefficient is continuous at x = 1e-3 and 1, where the formula changes."""
     for x in (1e-6, 0.999e-3, 1.001e-3, 0.5, 30.0):
         found = traction.coefficient(1.0, 1e-30, 1e9, x, 1.0, 1.0)
         assert found == pytest.approx(1.5e-9 * np.arcsinh(x), rel=1e-12)
@@ -267,8 +267,8 @@ def test_inverse_sinh_has_no_seam():
 
 
 def test_mixed_friction_with_a_film_after_eyring(physics):
-    """The film's friction coefficient is evaluated at the sliding speed of free rolling combined
-    with the additional sliding."""
+    """The friction coefficient of the film is evaluated at the sliding speed of free rolling
+    combined with the additional sliding."""
     r_d = sliding.deformed_radius(GROOVE, BALL)
     found = []
     for speed, along, across in (
@@ -352,7 +352,7 @@ def test_pure_spin(physics, side, cos_angle):
 
 
 def test_slow_spin_at_rest_has_the_least_width_of_slip(physics):
-    """Without rolling the couple of a slow spin is proportional to the spin, because of S_LEAST of
+    """Without rolling, the couple of a slow spin is proportional to the spin, because of S_LEAST of
     heathcote."""
     couples = [
         of(physics, "dry_of", REST | dict(spin_n=1e-3, least=least)).couple_n
@@ -364,8 +364,8 @@ def test_slow_spin_at_rest_has_the_least_width_of_slip(physics):
 
 @pytest.mark.parametrize("part", [0.1, 0.3, 0.5, 0.7, 1.0, 2.0, 5.0])
 def test_spin_beside_differential_slip(physics, part):
-    """Moment and power agree with an integration by Gauss points over the ellipse, at the slip
-    without force and a spin omega a = part s_e."""
+    """Moment and power agree with an integration over the ellipse by Gauss points, at the slip for
+    which the force vanishes and at a spin of omega a = part s_e."""
     free = of(physics, "dry_of", turning())
     r_d = sliding.deformed_radius(GROOVE, BALL)
     edge = sliding.edge_slip(0.724764, free.a, r_d, radii(INNER)[0])
@@ -392,7 +392,7 @@ def test_drag_of_a_ball(physics):
     for reynolds in (1e-3, 0.1, 0.5, 1, 33, 1e3, 4e4, 1e5, 3e6):
         expected = reference.drag_coefficient(reynolds)
         assert drag.coefficient(reynolds) == pytest.approx(expected, rel=1e-13)
-    # without sliding, the centre of the ball moves at -R_b roll_w
+    # if the ball does not slide, its centre moves at -R_b roll_w
     for speed in (-7.0, -0.3, 1e-6, 0.3, 7.0):
         contact = REST | dict(side=OUTER, roll_w=-speed / BALL)
         found = of(physics, "all_of", contact)
@@ -403,14 +403,14 @@ def test_drag_of_a_ball(physics):
         assert found.drag_power == pytest.approx(found.drag * speed, rel=1e-12)
     assert of(physics, "all_of", REST | dict(side=OUTER)).drag == 0
     assert of(physics, "all_of", contact | dict(side=INNER)).drag == 0
-    # 0.3 N per ball of a 6208 at 9549 rpm with an oil fraction of 0.1
+    # 0.3 N per ball of a 6208 at 9549 rpm, for an oil fraction of 0.1
     found = of(physics, "all_of", REST | dict(side=OUTER, roll_w=-12.0 / BALL))
     assert found.drag == pytest.approx(0.3, rel=0.25)
 
 
 # ---- energy --------------------------------------------------------------------------------------
 def test_losses_are_the_work_on_the_motions(physics):
-    """The loss equals the sum of all forces and couples multiplied by their motions, except for the
+    """The loss equals the sum of all forces and couples multiplied by their motions, excluding the
     Hertzian spring."""
     contact = turning(
         OUTER, 2.9, sliding_t=0.01, sliding_w=-0.02, spin_n=20.0, overlap_rate=0.003, cos_angle=0.9

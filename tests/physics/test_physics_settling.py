@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of settling_rest.h: the remaining change of a decay, estimated from means over ball
-passes."""
+"""Tests of settling_rest.h, which estimates the remaining change of a decay from the means over
+ball passes."""
 
 import numpy as np
 import pytest
@@ -9,8 +9,8 @@ S = 1e-2  # accuracy required by `settled`
 
 
 def rest(physics, passes, **series):
-    """Return the remaining changes after `passes` ball passes, whose means are `series`. Means that
-    are not given are 1, except for the pitch, which is 0."""
+    """Return the remaining changes after `passes` ball passes, whose means are `series`. Any means
+    that are not given are 1, or 0 for the pitch."""
     given = dict(
         torque=np.ones(passes),
         load=np.ones((passes, 2)),
@@ -59,24 +59,24 @@ def test_each_figure_has_its_own(physics):
 
 
 def test_a_drift_that_does_not_decay(physics):
-    """The remaining change of a steady drift is that of the slowest mode that can be distinguished;
-    it is larger only if the drift grows."""
+    """The estimate for a steady drift is the remaining change of the slowest mode that can be
+    distinguished from it; the estimate is larger only if the drift grows."""
     steady = of_torque(physics, 1 + 1e-3 * np.arange(4))
     assert steady == pytest.approx(0.049, rel=1e-2)
     assert of_torque(physics, 1 + 1e-3 * np.cumsum(1.2 ** np.arange(4))) > 0.049
 
 
 def test_a_small_change_in_the_middle_of_a_decay(physics):
-    """A drift is not assumed to have ended because one ball pass repeats the previous one."""
+    """The end of a drift is not inferred from a single ball pass that repeats the previous one."""
     means = decay(8, 0.9)
     means[-1] = means[-2]
     assert of_torque(physics, means) > 3 * S
 
 
 def test_noise_ends_as_early_as_the_change_of_a_pass(physics):
-    """Without a drift, the remaining change is the change per ball pass over the longest span,
-    except for random variation. The median number of ball passes is therefore about the same as if
-    the change alone were the criterion. The noise is a third of the limit, equal to the limit and
+    """If there is no drift, the estimate is the change per ball pass over the longest span, apart
+    from random variation. The median number of ball passes is therefore about the same as if the
+    change alone were the criterion. The noise is a third of the limit, equal to the limit, and
     three times the limit."""
     draw = np.random.default_rng(3)
     for noise in (S / 3, S, 3 * S):
@@ -98,7 +98,8 @@ def test_noise_ends_as_early_as_the_change_of_a_pass(physics):
 
 def test_a_slow_mode_shows_in_noise(physics):
     """A change of 1 % per ball pass with a time constant of 50 ball passes is detected in noise of
-    0.1 %. If the change alone were the criterion, settling would end at once, with 40 % remaining.
+    0.1 %. If the change alone were the criterion, settling would end at once, and 40 % would
+    remain.
     """
     draw = np.random.default_rng(4)
     left = []
@@ -115,7 +116,7 @@ def test_one_pass_has_no_rest(physics):
 
 
 def test_pocket_forces_fall(physics):
-    """A decrease in the pocket forces over a span counts, whereas an increase does not."""
+    """A decrease in the pocket forces over a span counts as a change; an increase does not."""
     force = np.array([100.0, 100.0, 40.0, 20.0])
     assert rest(physics, 4, pocket_force=force).pocket_fall == pytest.approx(0.5)
     assert rest(physics, 4, pocket_force=force[::-1].copy()).pocket_fall == 0.0

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of slip and spin in slices of the ellipse against fine Gauss points over the ellipse
-(references/spin) and against closed-form limits; also of the states of the part over a time step.
-"""
+"""Tests of slip and spin in slices of the ellipse, against fine Gauss points over the ellipse
+(references/spin) and against closed-form limits, and of the states of the part over a time step."""
 
 import itertools
 
@@ -23,8 +22,8 @@ def sums(**motion):
 
 
 def fine(along, across, turned, aspect=1 / 8):
-    """Return reference values; forces are divided by mu Q, moments also by the semi-axis across the
-    groove."""
+    """Return reference values: forces divided by mu Q, and moments divided by mu Q and the
+    semi-axis across the groove."""
     return reference.with_slip(
         1.0, 1.0, 1.0, aspect, along, across, -turned, curve=1.0, width=1e-4, points=120
     )
@@ -59,7 +58,7 @@ def test_pure_spin(kappa, expected, bound):
 
 
 def test_free_rolling():
-    """Free rolling agrees with Heathcote's solution: the force is zero at a slip of 0.120615 s_e,
+    """Free rolling agrees with Heathcote's solution: the force vanishes at a slip of 0.120615 s_e,
     and the loss is 0.161142 mu Q s_e."""
     found = sums(along=sliding.FREE**2)
     assert found.along == pytest.approx(0, abs=2e-3)
@@ -71,7 +70,7 @@ def test_free_rolling():
 
 
 def test_forces_have_no_steps():
-    """At every slip from 0 to s_e the sliding velocity is zero at some points of the ellipse, but
+    """At every slip from 0 to s_e, the sliding velocity vanishes at some points of the ellipse, but
     the force does not jump."""
     slips = np.linspace(0, 1.2, 1201)
     forces = np.array([sums(along=slip, spin=0.2).along for slip in slips])
@@ -79,8 +78,8 @@ def test_forces_have_no_steps():
 
 
 def test_mirrored():
-    """If the spin is reversed, the moment is reversed; if rolling is reversed, the couple is
-    reversed."""
+    """Reversing the spin reverses the moment, and reversing the rolling direction reverses the
+    couple."""
     one = sums(along=0.3, across=0.1, spin=0.5)
     other = sums(along=0.3, across=0.1, spin=-0.5)
     assert (other.along, other.across) == pytest.approx((one.along, one.across), rel=1e-12)
@@ -91,8 +90,8 @@ def test_mirrored():
 
 # ---- the part ------------------------------------------------------------------------------------
 def steady(physics, part, **changes):
-    """A contact after a second of constant motion with a spin of omega a = `part` s_e, and
-    reference values at the slip without force."""
+    """Return a contact after one second of constant motion with a spin of omega a = `part` s_e, and
+    reference values at the slip for which the force vanishes."""
     free = of(physics, "slices_of", turning(), np.zeros(4))
     r_d = sliding.deformed_radius(6.552e-3, 6.3e-3)
     edge = sliding.edge_slip(0.724764, free.a, r_d, radii(0)[0])
@@ -106,8 +105,8 @@ def steady(physics, part, **changes):
 
 @pytest.mark.parametrize("part", [0.0, 0.2, 0.7, 2.0, 10.0])
 def test_free_rolling_with_spin(physics, part):
-    """The moment of a freely rolling contact agrees within 1 % of mu Q a, and its power within 1 %;
-    the closed-form solutions differ by up to 5 %."""
+    """In a freely rolling contact, the moment agrees within 1 % of mu Q a, and the power within
+    1 %; the closed-form solutions deviate by up to 5 %."""
     free, edge, contact, gauss = steady(physics, part)
     lo, hi = 0.0, edge
     for _ in range(40):
@@ -123,8 +122,8 @@ def test_free_rolling_with_spin(physics, part):
 
 
 def test_a_spring_for_short_times(physics):
-    """A rolling contact that begins to slide first deflects elastically, with the stiffness k_t,
-    and then slips."""
+    """A rolling contact that begins to slide first deflects elastically with the stiffness k_t, and
+    then slips."""
     contact = turning(spin_n=5.0)
     free = of(physics, "slices_of", contact, np.zeros(4))
     r_d = sliding.deformed_radius(6.552e-3, 6.3e-3)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the balls' initial rotation (start_rotation.h) against its definition. By definition a
-ball rolls on both raceways with the smallest potential of the spin couples; the test uses vectors
-in 40-digit arithmetic and searches for the minimum. Contact angles and loads follow from the
+"""Tests of the balls' initial rotation (start_rotation.h) against its definition. By definition, a
+ball rolls on both raceways such that the potential of the spin couples is smallest; the tests
+search for the minimum with vectors in 40-digit arithmetic. Contact angles and loads follow from the
 equilibrium of a ball under thrust."""
 
 from types import SimpleNamespace
@@ -19,8 +19,8 @@ WIDTH = 0.78  # omega a divided by s_e (docs/tribology, Spin)
 
 
 def contact(side, cosine, load):
-    """Return the compression (m), the spin couple divided by the friction coefficient (N m) and the
-    half-width a (m) of a contact."""
+    """Return the compression (m), the spin couple divided by the friction coefficient (N m), and
+    the half-width a (m) of a contact."""
     gamma = BALL / PITCH * cosine * (-1 if side == INNER else 1)
     r_x, r_y = BALL * (1 + gamma), BALL * GROOVE / (GROOVE - BALL)
     found = hertz.contact(r_x, r_y, YOUNG, load)
@@ -31,7 +31,7 @@ def contact(side, cosine, load):
 
 
 def under_thrust(thrust, centrifugal, clearance):
-    """Return the contact angles (rad), the contacts, and the radius (m) of the path of a ball."""
+    """Return the contact angles (rad), the contacts, and the radius (m) of the path of the ball."""
     slack = GROOVE - BALL
 
     def at(angle):
@@ -50,13 +50,13 @@ def under_thrust(thrust, centrifugal, clearance):
 
 
 def least(angles, contacts, path, speeds, orbit):
-    """Return (radial, axial, orbit) in rad/s for the motion with the smallest potential, found by
-    golden-section search."""
+    """Return (radial, axial, orbit) in rad/s for the motion with the smallest potential, which is
+    found by golden-section search."""
     normals = [(-mpmath.cos(angles[0]), -mpmath.sin(angles[0]))]
     normals.append((mpmath.cos(angles[1]), mpmath.sin(angles[1])))
 
     def motion(radial):
-        # ball and ring have equal surface speeds along rolling, which are linear in (axial, orbit)
+        # along rolling, ball and ring have equal surface speeds, which are linear in (axial, orbit)
         rows, right = [], []
         for (u, e), speed in zip(normals, speeds):
             # BALL (axial - orbit) u - BALL radial e = (speed - orbit) (path + BALL u)
@@ -96,7 +96,7 @@ def start(physics, clearance, **words):
 @pytest.mark.parametrize(
     ("thrust", "speeds", "clearance"),
     [
-        (5.0, (1500.0, 0.0), 200e-6),  # centrifugal force reduces the outer angle: outer control
+        (5.0, (1500.0, 0.0), 200e-6),  # outer control, because of centrifugal force
         (300.0, (50.0, 0.0), 100e-6),  # inner control
         (60.0, (600.0, 0.0), 300e-6),
         (100.0, (-400.0, 300.0), 50e-6),
@@ -119,8 +119,8 @@ def test_least_loss_under_thrust(physics, thrust, speeds, clearance):
 
 
 def test_without_contact_angle_about_the_axis(physics):
-    """Without a contact angle the balls rotate about the bearing axis, even if the thrust exceeds
-    the capacity of the grooves."""
+    """Without a contact angle, the balls rotate about the axis of the bearing, even if the thrust
+    exceeds the capacity of the grooves."""
     rolling = laws.pure_rolling(BALL, PITCH, 90.0, -20.0)
     for thrust in (0.0, 1e12):
         found = start(
@@ -136,5 +136,5 @@ def test_without_contact_angle_about_the_axis(physics):
 def test_of_a_seated_ball_one_raceway_has_hardly_any_spin(physics, angle):
     found = start(physics, 0.0, inner_speed=100.0, orbit=40.0, angle=angle)
     assert min(abs(found.spin)) < 0.15 * max(abs(found.spin))
-    # the axis is perpendicular to the line of contact
+    # the axis of rotation is perpendicular to the line of contact
     assert found.radial * angle * found.axial < 0

@@ -25,7 +25,7 @@ MODEL = dict(
     surroundings=ALL,
     outlet=1.0,
     inner_shoulder=52.6e-3,
-    outer_shoulder=68.6e-3,  # a groove 2.3 mm deep, like the inner groove
+    outer_shoulder=68.6e-3,  # a groove that is 2.3 mm deep, like the inner groove
     gap=0.0,
 )
 SMALL = dict(
@@ -37,7 +37,7 @@ TINY = dict(
 LARGE = dict(side=OUTER, raceway_radius=36.6e-3)
 
 # Integrals over the exact Hertz gap outside the ellipse, with a parabola in y to +-S: raceway, load
-# in N, S in m, integrals in mm.
+# (N), S (m), integrals (mm).
 EXACT = [
     ({}, 8, 4.2e-3, [1914.2, 1628.5, 1247.5, 991.6]),
     ({}, 120, 4.2e-3, [2477.3, 1999.7, 1412.0, 1066.1]),
@@ -50,8 +50,8 @@ EXACT = [
 
 
 def integral(physics, raceway, load, height, reach, cos_angle=1.0, play=None):
-    """Return the integral outside a contact, m. If the load is 0, the clearance is `height` unless
-    `play` is given."""
+    """Return the integral (m) outside a contact. If the load is 0, the clearance is `height`,
+    unless `play` is given."""
     return physics.call(
         "outside_integral",
         p=raceway._handle,
@@ -75,8 +75,8 @@ def reach(physics, raceway, depth, angle=0.0, semi_axis=0.0):
 
 
 def capacitors(physics, raceway, overlap, speed=1.5, cage_speed=62.0, cos_angle=1.0, **changes):
-    """Return h_c, capacitance, separation and capacitance outside the contact, for each overlap.
-    Also assert that contacts evaluated one by one and four at a time give equal results."""
+    """Return h_c, capacitance, separation, and capacitance outside the contact, for each overlap.
+    Also assert that evaluating the contacts one by one and four at a time gives equal results."""
     columns = np.broadcast_arrays(np.asarray(overlap, float), cos_angle, speed, cage_speed)
     n = columns[0].size
     padded = [np.pad(np.ravel(c), (0, -n % 4), mode="edge") for c in columns]
@@ -103,14 +103,15 @@ def test_t1_exact_integral(physics, changes, load, edge, exact):
 
 
 def quadrature(n):
-    """Return nodes and weights for the interval from 0 to 1."""
+    """Return the nodes and weights for integration from 0 to 1."""
     x, w = np.polynomial.legendre.leggauss(n)
     return (x + 1) / 2, w / 2
 
 
 def exact_integral(a, b, overlap, load, modulus, r_x, r_y, h, edge):
-    """Return the integral I (m) over the exact Hertz gap (Carlson's integrals) outside the ellipse,
-    to +-edge across the groove and to infinity along rolling. More nodes change it by 3e-8."""
+    """Return the integral I (m) over the exact Hertz gap outside the ellipse (Carlson's integrals),
+    from -edge to edge across the groove and to infinity along rolling. More nodes change I by
+    3e-8."""
     x, w = quadrature(16)
     beside = a * np.sin(x * np.pi / 2), b * np.cos(x * np.pi / 2), w * np.pi / 2 * a
     beside = beside[0], beside[1], beside[2] * np.cos(x * np.pi / 2)
@@ -140,8 +141,9 @@ def exact_integral(a, b, overlap, load, modulus, r_x, r_y, h, edge):
 @pytest.mark.parametrize("side", [INNER, OUTER])
 @pytest.mark.parametrize("conformity", [0.505, 0.52, 0.54])
 def test_total_over_the_range_of_the_closed_form(physics, size, side, conformity):
-    """The total capacitance of plates and surroundings is accurate to 1.5 % for films of 20 nm to 2
-    um, with loads up to 3 kN on a ball of 12.6 mm and up to the same pressure on smaller balls."""
+    """The total capacitance of plates and surroundings is accurate to 1.5 % for film thicknesses
+    from 20 nm to 2 um, with loads of up to 3 kN on a ball of 12.6 mm, and up to the same pressure
+    on smaller balls."""
     ball = size.get("ball_radius", BALL)
     raceway = physics.raceway(**(size | dict(side=side, groove_radius=2 * conformity * ball)))
     derived = raceway.radial()
@@ -167,7 +169,7 @@ def test_total_over_the_range_of_the_closed_form(physics, size, side, conformity
 )
 def test_t2_groove_as_an_arc(physics, side, edge, exact, closed):
     """The closed-form solution agrees with the integral over the arc of a loaded 6208, and with
-    values of the closed-form solution computed elsewhere."""
+    values of the closed-form solution that were computed elsewhere."""
     raceway = physics.raceway_6208(side)
     near, far = reach(physics, raceway, 2.3e-3)
     assert near == far == pytest.approx(edge, abs=5e-7)
@@ -189,7 +191,7 @@ def test_t3_rigid_surfaces(physics, side, exact):
 @pytest.mark.parametrize("size", [{}, SMALL, TINY], ids=["12.6 mm", "7.9 mm", "4.0 mm"])
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_closed_forms_in_40_digits(physics, size, side):
-    """Closed-form solutions are accurate for rigid surfaces, with a clearance below, at and above
+    """Closed-form solutions are accurate for rigid surfaces with a clearance below, at and above
     that of concentric circles, and for loaded contacts with thin to thick films."""
     ball = size.get("ball_radius", BALL)
     raceway = physics.raceway(**(size | dict(side=side, groove_radius=1.01 * ball)))
@@ -213,8 +215,8 @@ def test_closed_forms_in_40_digits(physics, size, side):
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_rigid_form_is_that_of_two_parabolas(physics, side):
-    """Two parabolas give 4 pi sqrt(R_x R_y) asinh(S/sqrt(2 R_y g)); the radius across the groove
-    differs from R_y by less than 1 %."""
+    """For two parabolas, the integral is 4 pi sqrt(R_x R_y) asinh(S/sqrt(2 R_y g)); the radius
+    across the groove deviates from R_y by less than 1 %."""
     raceway = physics.raceway_6208(side)
     gap, edge = 5e-6, 5e-3
     r_x, r_y = physics.radii(side)
@@ -228,7 +230,7 @@ def test_rigid_form_is_that_of_two_parabolas(physics, side):
     + [(1e3, 0.097902), (1e-9, 3.5501e3), (1e9, np.pi * 10**-4.5)],
 )
 def test_t4_beside_the_ellipse(h, exact):
-    """The fit agrees with values from quadrature and with the limits 3.5501 H^(-1/3) and pi
+    """The fit agrees with values from quadrature, and with the limits 3.5501 H^(-1/3) and pi
     H^(-1/2)."""
     assert capacitance_outside.beside(h) == pytest.approx(exact, rel=0.002 if h > 1e-8 else 0.006)
 
@@ -281,8 +283,8 @@ def test_t5_what_fills_the_gap(physics):
 @pytest.mark.parametrize("gap", [0.0, 0.5, 1.0, 1.5])
 @pytest.mark.parametrize("cage_speed", [0.0, 62.0, 250.0])
 def test_t7_through_loss_of_contact(physics, gap, cage_speed):
-    """No value jumps in steps of 1 nm, or of 1e-12 m near the overlap at which contact begins, with
-    and without film in the gap."""
+    """No value jumps between steps of 1 nm, or of 1e-12 m near the overlap at which contact begins,
+    both with and without a film in the gap."""
     raceway = physics.raceway(**OIL)
     overlap = np.arange(-1e-6, 1e-6, 1e-9)
     named = dict(cage_speed=cage_speed, gap=gap)
@@ -295,14 +297,14 @@ def test_t7_through_loss_of_contact(physics, gap, cage_speed):
     assert fine_plates[0] == 0 < fine_plates[-1]
     total = fine_plates + fine_outside
     assert np.abs(np.diff(fine_h)).max() < 1e-10
-    # the film in the gap begins together with the plates at an overlap of h/1000; Q^(2/3) under a
-    # film
+    # the film in the gap begins together with the plates, at an overlap of h/1000; the capacitance
+    # of the plates then grows as Q^(2/3)
     assert np.abs(np.diff(total)).max() < 2e-4 * total.mean()
 
 
 def test_the_separation(physics):
-    """The separation is the film thickness h_c at the load max(Q, Q_u), or the gap if it is
-    larger."""
+    """The separation is the film thickness h_c at the load max(Q, Q_u), or the height of the gap if
+    this is larger."""
     raceway = physics.raceway(**OIL)
     derived = raceway.radial()
     cage_speed = 200.0
@@ -341,7 +343,7 @@ def test_mean_permittivity(ambient, pressure):
 
 @pytest.mark.parametrize("at, eps", [(0, 2.654), (1, 2.578), (2, 2.593)])
 def test_where_the_permittivity_is_taken(physics, at, eps):
-    """A relative permittivity of 2.2 at ambient pressure increases at 1.5 GPa. The increase depends
+    """The relative permittivity, 2.2 at ambient pressure, increases at 1.5 GPa. By how much depends
     on where in the contact the pressure is evaluated."""
     raceway = physics.raceway(**OIL)
     derived = raceway.radial()
@@ -359,14 +361,14 @@ def test_t12_rough_films(physics):
     assert laws.rough_film_factor(1 / 0.3) == pytest.approx(25 / 21)
     raceway = physics.raceway(**OIL)
     smooth, rough = (capacitors(physics, raceway, [1e-5], rough=r) for r in (0, 1))
-    film_parameter = smooth[0] / 50e-9  # films of 40 nm and 30 nm
+    film_parameter = smooth[0] / 50e-9  # roughness 40 nm and 30 nm
     assert rough[1] / smooth[1] == pytest.approx(1 / (1 - film_parameter**-2), rel=1e-12)
 
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_reach_of_a_groove(physics, side):
-    """With a contact angle the two sides differ: the reach is 4 tan of a quarter of the angle
-    between contact and shoulder."""
+    """With a contact angle, the reach differs between the two sides: it is 4 times the tangent of a
+    quarter of the angle between contact and shoulder."""
     raceway = physics.raceway_6208(side)
     gamma = 0.09 * (BALL / PITCH) * (1 if side == INNER else -1)
     cosine = 1 - 2.3e-3 / 6.552e-3
@@ -382,8 +384,8 @@ def test_reach_of_a_groove(physics, side):
 @pytest.mark.parametrize("side", [INNER, OUTER])
 @pytest.mark.parametrize("angle", [0.0, 0.3])
 def test_reach_around_an_ellipse(physics, side, angle):
-    """The reach agrees with Python: narrow ellipses do not change it, and wide ellipses reduce it
-    by the arc within the ellipse."""
+    """The reach agrees with the Python package: a narrow ellipse does not change the reach, and a
+    wide one reduces it by the arc within the ellipse."""
     raceway = physics.raceway_6208(side)
     bearing = Bearing(9, 2 * BALL, 24e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     plain = reach(physics, raceway, 2.3e-3, angle)
@@ -394,8 +396,8 @@ def test_reach_around_an_ellipse(physics, side, angle):
         assert np.all(np.abs(found - plain) < 4e-5 + 0.03 * semi_axis)
 
 
-# T6: 6208 at 1500 rpm with the oil of table 1 and a groove 2.3 mm deep; load in N, capacitances of
-# the ball in pF.
+# T6: 6208 at 1500 rpm with the oil of table 1 and a groove that is 2.3 mm deep; load (N), and
+# capacitances of the ball (pF).
 @pytest.mark.parametrize(
     "load, plates, flooded, cavitated",
     [(1461.7, 44.9, 65.5, 59.9), (980.1, 33.3, 52.9, 47.5), (105.8, 6.27, 22.0, 17.7)],
@@ -403,7 +405,7 @@ def test_reach_around_an_ellipse(physics, side, angle):
 def test_t6_a_ball_of_a_6208(physics, load, plates, flooded, cavitated):
     speed = 1500 * 2 * np.pi / 60
     gamma = BALL / PITCH
-    u = 0.5 * PITCH * (1 - gamma**2) * speed  # kinematic value, equal at both contacts
+    u = 0.5 * PITCH * (1 - gamma**2) * speed  # kinematic value, the same at both contacts
     cage_speed = 0.5 * speed * (1 - gamma)
     oil = dict(viscosity=0.03, pressure_viscosity=1.8e-8)
     q_u = 0.96
@@ -429,8 +431,8 @@ def test_t6_a_ball_of_a_6208(physics, load, plates, flooded, cavitated):
     "changes", [{}, dict(gap=1.0), dict(at=1, rough=1, surroundings=CAVITATED)]
 )
 def test_four_side_by_side_are_one_by_one(physics, side, changes):
-    """Contacts and gaps, radial and oblique, light and heavy in any mixture, are compared bit by
-    bit in `capacitors`."""
+    """Contacts and gaps in any mixture, radial and oblique, light and heavy, are compared bitwise
+    in `capacitors`."""
     raceway = physics.raceway_6208(side, **OIL)
     random = np.random.default_rng(13)
     n = 400
@@ -448,28 +450,29 @@ def test_four_side_by_side_are_one_by_one(physics, side, changes):
 
 # ---- two grooves per ring
 def arch(physics, side, free, bottom):
-    """Return one of the two grooves of a 6208 ring. A centred ball makes contact at the angle
-    `free` (rad), as far out as in a single groove with the radius `bottom` (m)."""
+    """Return one of the two grooves of a 6208 ring. A centred ball touches it at the angle `free`
+    (rad), at the same radius as the bottom of a single groove with the radius `bottom` (m)."""
     gap, way = 6.552e-3 - BALL, -1 if side == INNER else 1
     radius = bottom + way * gap * (1 - np.cos(free))
     return physics.raceway(side=side, raceway_radius=radius, offset=gap * np.sin(free), **OIL)
 
 
 def rigid_flank(side, free, bottom, play, shoulder):
-    """Return I (m) between a rigid centred ball and one flank of an arch, from the edge between the
-    grooves to a `shoulder` with a given radius (m), using planes through the bearing's axis and a
-    parabola along rolling in each direction from the ball's centre."""
+    """Return the integral I (m) for a rigid centred ball and one flank of an arch, taken from the
+    edge between the grooves to a `shoulder` with a given radius (m). The integration uses planes
+    through the bearing's axis and, in each direction from the ball's centre, a parabola along
+    rolling."""
     groove, gap = 6.552e-3, 6.552e-3 - BALL
-    # coordinates of the groove relative to the ball
+    # coordinates of the groove centre relative to the ball centre
     centre = np.array([-gap * np.cos(free), gap * np.sin(free)])
-    if play:  # the ball moves away from the raceway by the clearance at its contact
+    if play:  # the ball is moved away from the raceway by the clearance at its contact
         centre *= 1 - play / gap
     pitch = bottom + (BALL if side == INNER else -BALL)
     # `down` points towards the raceway
     height = pitch - shoulder if side == INNER else shoulder - pitch
 
     def wall(angle):
-        """Return the distance between the groove and the ball's centre in a direction at `angle`
+        """Return the distance between the groove and the ball's centre in the direction at `angle`
         from straight down, towards the flank."""
         line = np.array([np.cos(angle), -np.sin(angle)])
         along = line @ centre
@@ -493,7 +496,8 @@ def rigid_flank(side, free, bottom, play, shoulder):
 @pytest.mark.parametrize("free", np.radians([20.0, 35.0]))
 @pytest.mark.parametrize("play", [2e-6, 10e-6])
 def test_a_flank_of_two_grooves(physics, side, bottom, shoulder, free, play):
-    """Without contact, a flank is integrated from the edge between the grooves to the shoulder."""
+    """A flank that the ball does not touch is integrated from the edge between the grooves to the
+    shoulder."""
     raceway = arch(physics, side, free, bottom)
     named = {"inner_shoulder": 2 * shoulder} if side == INNER else {"outer_shoulder": 2 * shoulder}
     outside = capacitors(

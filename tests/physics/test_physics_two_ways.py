@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The laws of a run and the Python package are evaluated for one table of inputs, and both are
-compared with 40-digit mpmath results.
+"""The laws of a run and those of the Python package are evaluated for the same table of inputs, and
+both are compared with 40-digit mpmath results.
 
-Relative errors are below 1e-12: a film thickness is the exponential of a sum of terms of at most
-50, each with a relative rounding error of 2e-16, so it is accurate to about 1e-14; ellipse and
-pressure have the rounding error of an iteration, a few 1e-15. Rounding of the table values affects
-all three results.
+Relative errors are below 1e-12. A film thickness is the exponential of a sum of terms of at most
+50, each with a relative rounding error of 2e-16, so it is accurate to about 1e-14. The ellipse and
+the pressure have the rounding error of an iteration, a few 1e-15. Rounding of the table values
+affects all three results.
 """
 
 import itertools
@@ -37,7 +37,7 @@ EQUAL = 1e-12
 
 
 def films(model, kappa, oil, r_x, speed, load):
-    """Return (h_min, h_c) from the equations in mpmath."""
+    """Return (h_min, h_c) from the equations, in mpmath."""
     r_x = mpmath.mpf(r_x)
     groups = film_reference.groups(*oil, STEEL, r_x, mpmath.mpf(speed), load)
     if model == HAMROCK_DOWSON:
@@ -47,7 +47,7 @@ def films(model, kappa, oil, r_x, speed, load):
 
 
 def electric(ambient, pressure, a, b, h):
-    """Return (permittivity, capacitance) from equations 8, 10, 11 in mpmath."""
+    """Return (permittivity, capacitance) from equations 8, 10 and 11, in mpmath."""
     d = mpmath.mpf
     ambient, pressure, a, b, h = map(d, (ambient, pressure, a, b, h))
     x = (
@@ -61,7 +61,7 @@ def electric(ambient, pressure, a, b, h):
 
 
 def agree(cpp, python, exact):
-    """Assert that both values equal the reference, and hence each other."""
+    """Assert that both values equal the reference, and therefore each other."""
     exact = [float(value) for value in exact]
     np.testing.assert_allclose(cpp, exact, rtol=EQUAL)
     np.testing.assert_allclose(python, exact, rtol=EQUAL)
@@ -85,8 +85,8 @@ def test_hertz(physics, name, side, angle):
             * modulus
             * mpmath.sqrt(second * radius / (mpmath.mpf("4.5") * first**3))
         )
-        # E and F themselves are not compared, because for an ellipse that is longer along rolling
-        # the headers use the integrals of the other modulus
+        # E and F themselves are not compared, because the headers use the integrals of the other
+        # modulus for an ellipse that is longer along rolling
         agree(
             [cpp.kappa, cpp.K], [python.kappa, hertz.stiffness(python, STEEL)], [kappa, stiffness]
         )

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of vec3.h against numpy and scipy's rotations."""
+"""Tests of vec3.h against numpy and the rotations in scipy."""
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
 A, B = np.array([0.3, -1.2, 2.5]), np.array([-0.7, 0.4, 1.1])
-ROUNDING = 1e-15  # a few operations on numbers of order one
+ROUNDING = 1e-15  # error of a few operations on numbers of order one
 
 
 def test_algebra(physics):
@@ -25,7 +25,7 @@ def test_products(physics):
 @pytest.mark.parametrize("angle", [1e-9, 1e-3, 0.5, 3.0, 7.0])
 def test_rotation_is_the_right_handed_one(physics, angle):
     w = angle * B / np.linalg.norm(B)
-    # the angle is rounded before its sine is computed
+    # the angle is rounded before its sine is evaluated
     assert physics.rotate(A, w) == pytest.approx(
         Rotation.from_rotvec(w).apply(A), abs=10 * ROUNDING * (1 + angle)
     )
@@ -36,7 +36,7 @@ def test_no_rotation_is_exact(physics):
 
 
 def test_derivative_of_a_rotation_is_the_cross_product(physics):
-    h = 1e-5  # central difference: the error is h^2/6 |w|^3 |a| + rounding/h, both below 1e-10
+    h = 1e-5  # the error is h^2/6 |w|^3 |a| + rounding/h, both terms below 1e-10
     slope = (physics.rotate(A, h * B) - physics.rotate(A, -h * B)) / (2 * h)
     assert slope == pytest.approx(
         np.cross(B, A), abs=h**2 * np.linalg.norm(B) ** 3 * np.linalg.norm(A) + 1e-10

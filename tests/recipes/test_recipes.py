@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Carry out the recipes of docs/extend.rst in a copy of the tree.
+"""Follow the recipes of docs/extend.rst in a copy of the tree.
 
 The copy builds, and every law passes the derivative test. The additions appear in the output, in
-the tables of the documentation and in a deck.
+the tables of the documentation, and in a deck.
 """
 
 import json
@@ -24,7 +24,7 @@ MOST_FILES = {"law": 5, "column": 1, "lubricant": 5, "keyword": 2}
 
 
 def carry_out(recipe: str, tree: Path) -> set[str]:
-    """Make the edits of a recipe in `tree` and return the files that it touches."""
+    """Make the edits of a recipe in `tree`, and return the files that they affect."""
     touched = set()
     for edit in yaml.safe_load((RECIPES / f"{recipe}.yaml").read_text()):
         path = tree / edit["file"]
@@ -46,7 +46,7 @@ def carry_out(recipe: str, tree: Path) -> set[str]:
 
 
 def add_wrong_toy(tree: Path) -> None:
-    """Add a second toy whose derivative is twice that of its value, so that the derivative test
+    """Add a second toy whose derivative is twice the correct value, so that the derivative test
     must reject it."""
     core = tree / "src-package/core"
     text = (core / "parts/part_toy.h").read_text()
@@ -86,8 +86,8 @@ struct WrongToyLoss""",
 
 
 def run(command: list[str], folder: Path, tree: Path | None = None, **more) -> str:
-    """Run `command` in `folder`, with the Python package from `tree` (default: `folder`), and
-    return its output."""
+    """Run `command` in `folder` with the Python package from `tree` (default: `folder`), and return
+    the output."""
     path = {"PYTHONPATH": str((tree or folder) / "python" / "src")}
     done = subprocess.run(
         command, cwd=folder, env=os.environ | path, capture_output=True, text=True, **more
@@ -98,8 +98,8 @@ def run(command: list[str], folder: Path, tree: Path | None = None, **more) -> s
 
 @pytest.fixture(scope="module")
 def touched(tmp_path_factory):
-    """Return (tree, {recipe: files touched}), where tree is a copy to which all recipes were
-    applied, built without optimisation."""
+    """Return (tree, {recipe: files that it changes}), where tree is a copy to which all recipes
+    have been applied, built without optimisation."""
     tree = tmp_path_factory.mktemp("recipes") / "tree"
     folders = ("src-package", "inputs", "docs/decks", "tests/physics", "tests/references", "python")
     for folder in folders:
@@ -108,17 +108,17 @@ def touched(tmp_path_factory):
         shutil.copy(ROOT / file, tree / file)
     shutil.copy(ROOT / "tests" / "pytest.ini", tree / "tests")
     (tree / ".venv").symlink_to(ROOT / ".venv")
-    # reuse the object files, so that sources which no recipe touches are not compiled again
+    # reuse the object files, so that sources that no recipe changes are not compiled again
     for folder in ("build/obj", "build/obj-laws", "build/units"):
         shutil.copytree(ROOT / folder, tree / folder)
     files = {recipe: carry_out(recipe, tree) for recipe in MOST_FILES}
     add_wrong_toy(tree)
     targets = ["build/liggghts", "build/libraceway_physics.so", CORE]
-    # build the test library with only the functions that the derivative test calls
+    # the test library contains only the functions that the derivative test calls
     physics = "PHYSICS_C=tests/physics/physics_c.cpp tests/physics/law_c.cpp"
-    # low priority, because ranks of other tests wait for each other while a compiler has their core
+    # low priority, because ranks of other tests would wait for a rank whose core a compiler uses
     nice = ["nice", "-n", "19", "make", "-s", "-j2"]
-    # clang takes two thirds of the time that g++ takes
+    # clang takes two thirds of the time of g++
     words = ["CXX=clang++", "OPTIMISE=-O0 -DRACEWAY_ONE_TARGET", physics]
     run([*nice, *words, *targets], tree)
     return tree, files
@@ -130,7 +130,7 @@ def test_few_files(touched, recipe):
 
 
 def test_the_derivative_test_refuses_the_wrong_toy_alone(touched):
-    """All sets of parts pass, including those with the toy; only the sets with the wrong toy
+    """All sets of parts pass, including those with the toy; only those with the wrong toy
     fail."""
     tests = "tests/physics/test_physics_laws.py"
     command = [PYTHON, "-m", "pytest", "-q", "-c", "tests/pytest.ini", "--rootdir=.", tests]
@@ -171,8 +171,8 @@ def rows(dump: Path) -> list[list[float]]:
 
 @pytest.fixture(scope="module")
 def ran(touched):
-    """Run docs/decks/in.toy and return {0 or 1: folder}, where 0 is velocity Verlet and 1 the
-    implicit integrator."""
+    """Run docs/decks/in.toy and return {"0" or "1": folder}, where 0 is velocity Verlet and 1 is
+    the implicit integrator."""
     folders = {}
     for implicit in ("0", "1"):
         folders[implicit] = touched[0] / f"run{implicit}"
@@ -184,11 +184,11 @@ def ran(touched):
 
 
 def test_the_deck_runs_with_both_integrators(ran):
-    """The couple on a ball that rolls steadily is the product of the toy's stiffness, its time and
+    """The couple on a ball that rolls steadily is the product of the toy's stiffness, its time, and
     the rolling speed.
 
-    After ten times the toy's time, the integrators agree within the first-order error that Verlet's
-    step causes in the memory, 1e-6/1e-3. Balls that barely touch are left out, because their
+    After ten times the toy's time, the integrators agree within the first-order error of Verlet's
+    step in the toy's memory, 1e-6/1e-3. Balls that barely touch are excluded, because their
     contacts open and close.
     """
     found = {key: rows(folder / "toys.dump") for key, folder in ran.items()}
@@ -212,8 +212,8 @@ print(json.dumps({"summary": found, "needs": figures(found), "report": report}))
 
 
 def test_the_loss_arrives_in_torque_summary_needs_and_report(touched, ran):
-    """The toy's loss appears in the friction torque, in losses_W, in the results of raceway needs
-    and on the report page. It equals the sum over the contacts of the record, except for the
+    """The toy's loss appears in the friction torque, in losses_W, in the results of `raceway
+    needs`, and on the report page. It equals the sum over the contacts in the record, excluding
     damping, which this law also includes."""
     folder = ran["1"] / "toy"
     found = json.loads(

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reference solution of the circuit of a bearing as dense systems, with nodal matrices of balls and
-inner ring and without elimination of nodes. Charges are integrated by a two-stage SDIRK method;
-failed films are conductors with an unknown charge."""
+"""Reference solution for the circuit of a bearing. Balls and inner ring are nodes of dense systems,
+from which no nodes are eliminated. Charges are integrated by a two-stage SDIRK method; failed films
+are conductors with an unknown charge."""
 
 import numpy as np
 
@@ -9,8 +9,8 @@ STAGE = 1 - np.sqrt(0.5)
 
 
 def matrix(films, ring):
-    """Return the (Z + 1, Z + 1) matrix of `films` (2, Z), with `ring` between the last node and the
-    frame."""
+    """Return the (Z + 1, Z + 1) matrix for `films` (2, Z), where `ring` connects the last node to
+    the frame."""
     inner, outer = films
     made = np.diag([*(inner + outer), inner.sum() + ring])
     made[:-1, -1] = made[-1, :-1] = -inner
@@ -18,8 +18,8 @@ def matrix(films, ring):
 
 
 def voltages(made, right, driving=None, broken=()):
-    """Solve `made` v = `right`, with the ring at `driving` unless it is None and no voltage across
-    the films `broken` (side, ball). A node that is not connected has 0 V."""
+    """Solve `made` v = `right`. The ring is at `driving` unless this is None, and the voltage
+    across the films `broken` (side, ball) is zero. A node that is not connected has 0 V."""
     made, right, n = made.copy(), right.copy(), len(right)
     alone = np.flatnonzero(~made.any(axis=1))
     made[alone, alone], right[alone] = 1.0, 0.0
@@ -43,7 +43,7 @@ def energy(capacitance, beside, coupling, driving, v):
 
 def discharge(capacitance, limit, outer, charge, v):
     """Return (charges, voltages, failures) at one point. A failure is a row of side, ball, film
-    voltage, bearing voltage before and after, film energy and energy; `outer` is (parallel,
+    voltage, bearing voltage before and after, film energy, and total energy. `outer` is (parallel,
     coupling, driving)."""
     beside, coupling, driving = outer
     whole, push = matrix(capacitance, beside + coupling), np.zeros(len(v))
@@ -70,9 +70,10 @@ def discharge(capacitance, limit, outer, charge, v):
 
 
 def solve(time, capacitance, conductance, limit, outer, start):
-    """Return (voltages (n, Z + 1), with the ring last; charge into the ring's films in each step
-    (n,); failures, each preceded by the index of its point) for films (n, 2, Z). `outer` (n, 4)
-    contains parallel, coupling, conductance and driving."""
+    """Solve the circuit for films (n, 2, Z), where `outer` (n, 4) contains parallel, coupling,
+    conductance and driving. Return the voltages (n, Z + 1), with the ring last; the charge (n,)
+    that flows into the ring's films in each step; and the failures, each preceded by the index of
+    its point."""
     stiff = np.isinf(outer[0, 2])
     n, _, z = capacitance.shape
     found, flown, failures = np.zeros((n, z + 1)), np.zeros(n), []

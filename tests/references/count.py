@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Counts, for each law, the tests whose expected value does not come from the package but from
-40-digit arithmetic, quadrature, another kind of solver or printed values.
+"""Count, for each law, the tests whose expected value does not come from the package but from
+40-digit arithmetic, quadrature, a different type of solver, or printed values.
 
     python tests/references/count.py [--list] [TREE ...]
 
-A test is assigned to a law if words of the law occur in its name, its body or the name of its file.
-Its reference may also be in the helpers, fixtures and constants of its file that it uses."""
+A test is assigned to a law if words of that law occur in the name of the test, in its body or in
+the name of its file. The reference may also be in those helpers, fixtures and constants of the file
+that the test uses."""
 
 import ast
 import re
@@ -14,8 +15,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("physics", "python", "friction", "implicit")
-# {law: (number of tests at a7b5052, which had most laws in two languages; words that mark its
-# tests)}
+# {law: (number of tests at a7b5052, where most laws existed in two languages; words that mark the
+# tests of the law)}
 LAWS = {
     "elliptic integrals, Hertz": (16, r"elliptic|ellipk|hertz|semi_axes"),
     "effective radii": (9, r"effective_radii|curvatures|meusnier"),
@@ -53,7 +54,7 @@ REFERENCE = re.compile(
 
 
 def _of_module(tree, source):
-    """Return ({name: (its text, names that it uses)}, nodes of the tests)."""
+    """Return ({name: (its text, names that it uses)}, nodes of the tests) for a module."""
     known, tests, imported, lines = {}, [], {}, source.splitlines()
     for node in tree.body:
         names = [getattr(node, "name", None)]
@@ -78,7 +79,7 @@ def _of_module(tree, source):
 
 
 def _all_of(name, known):
-    """Return the text of `name` and of everything that it uses in its file."""
+    """Return the text of `name` and of everything in the same file that it uses."""
     seen, left, text = set(), [name], ""
     while left:
         one = left.pop()
@@ -92,7 +93,7 @@ def _all_of(name, known):
 
 
 def found(root: Path) -> dict[str, list[str]]:
-    """Return the tests of each law that have a reference, as `file::test`, in the tree `root`."""
+    """Return a dict that maps each law to its tests with a reference in `root`, as `file::test`."""
     result = {law: [] for law in LAWS}
     for folder in FOLDERS:
         for path in sorted((root / "tests" / folder).glob("test_*.py")):

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film thicknesses in 40-digit arithmetic, as printed in their sources; a film "over the load" is a
-function of the load."""
+"""Film thicknesses in 40-digit arithmetic, as printed in their sources. Some of the functions
+return the film thickness as a function of the load."""
 
 import mpmath
 from mpmath import exp, log, mpf
 
 
 def masjedi_khonsari(r_x, u, g, w, k, sign=1):
-    """Return (h_min, h_c) from equations 6 and 9; sign -1 selects equation 9 as printed."""
+    """Return (h_min, h_c) from equations 6 and 9; sign -1 selects equation 9 as it was printed."""
     d = mpf
     h_min = d("1.637") * u ** (d("0.711") * k ** d("-0.023")) * g ** (d("0.65") * k ** d("-0.045"))
     h_min *= w ** (-d("0.09") * k ** d("-0.15")) * (1 - d("0.974") * exp(-d("0.676") * k))
@@ -19,7 +19,7 @@ def masjedi_khonsari(r_x, u, g, w, k, sign=1):
 
 
 def hamrock_dowson(r_x, u, g, w, k):
-    """Return (h_min, h_c) after Hamrock and Dowson (1977)."""
+    """Return (h_min, h_c) according to Hamrock and Dowson (1977)."""
     d = mpf
     h_min = (
         d("3.63") * u ** d("0.68") * g ** d("0.49") * w ** d("-0.073") * (1 - exp(-d("0.68") * k))
@@ -38,7 +38,8 @@ def groups(viscosity, xi, modulus, r_x, speed, load):
 
 
 def power_law(viscosity, xi, modulus, r_x, kappa, speed, factor=1.0, cut=1.0):
-    """Return h_c (m) over the load after Masjedi and Khonsari, constant below `cut` N."""
+    """Return h_c (m) as a function of the load, after Masjedi and Khonsari; constant below `cut`
+    N."""
 
     def h(load):
         kept = max(mpf(load), mpf(cut))
@@ -50,7 +51,7 @@ def power_law(viscosity, xi, modulus, r_x, kappa, speed, factor=1.0, cut=1.0):
 
 @mpmath.workdps(30)
 def all_regimes(viscosity, xi, modulus, r_x, r_y, speed, factor=1.0):
-    """Return h_c (m) over the load after Nijenbanning, Venner and Moes (1994)."""
+    """Return h_c (m) as a function of the load, after Nijenbanning, Venner and Moes (1994)."""
     u = 2 * mpf(viscosity) * speed / (mpf(modulus) * r_x)
     ratio, m = mpf(r_x) / r_y, mpf(1)
     deep = mpf(xi) * modulus * u ** (m / 4)
@@ -84,24 +85,25 @@ def wilson(loading):
 
 
 def gupta(loading, pressure, slide_roll=0.0):
-    """Return the film factor of Gupta et al. (1992), with a pressure reduction of at most 0.9."""
+    """Return the film factor of Gupta et al. (1992), in which the reduction by pressure is at most
+    0.9."""
     lost = min(mpf("13.2") * pressure * mpf(loading) ** mpf("0.42"), mpf("0.9"))
     slid = 1 + mpf("2.23") * abs(mpf(slide_roll)) ** mpf("0.83")
     return (1 - lost) / (1 + mpf("0.213") * slid * mpf(loading) ** mpf("0.64"))
 
 
 def heated(film, loading, peak, slide_roll, cut):
-    """Return `film` multiplied by Gupta's factor; `peak` is p_max/E' under 1 N, limited below `cut`
-    N."""
+    """Return `film` multiplied by Gupta's factor; `peak` is p_max/E' at 1 N, and is constant below
+    `cut` N."""
     return lambda load: (
         film(load) * gupta(loading, mpf(peak) * mpmath.cbrt(max(mpf(load), mpf(cut))), slide_roll)
     )
 
 
 def in_gap(overlap, stiffness, film, share=1.0):
-    """Return the load (N), h_c (m), elastic approach (m) and dQ/d(overlap) (N/m) of a contact with
-    its film in the gap. The equation (Q/K)^(2/3) = overlap + share h_c(Q) is solved for ln Q by
-    bisection, then by secants. The load is 0 if the film does not reach across the gap."""
+    """Return the load (N), h_c (m), the elastic approach (m) and dQ/d(overlap) (N/m) of a contact
+    with film in the gap. The equation (Q/K)^(2/3) = overlap + share h_c(Q) is solved for ln Q,
+    first by bisection and then by secants. The load is 0 if the film does not bridge the gap."""
     with mpmath.workdps(30):
 
         def gap(y):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip, traction, rolling and drag by integration over the contact or in 40-digit arithmetic."""
+"""Slip, traction, rolling resistance and drag, by integration or in 40-digit arithmetic."""
 
 import math
 
@@ -10,14 +10,15 @@ from scipy.integrate import quad
 
 from references import hertz
 
-# drag coefficient of a sphere at Re = 0.1 to 1e5
+# {Re: drag coefficient of a sphere}, for Re = 0.1 to 1e5
 DRAG = {0.1: 275, 1.0: 30, 10.0: 4.2, 1e2: 1.2, 1e3: 0.48, 1e4: 0.40, 1e5: 0.45}
 
 
 def heathcote(slip):
-    """Return (F, C, power) under Coulomb's law, integrated over the strips of an ellipse that rolls
-    with s_e = 1, where F is in units of mu Q, C of mu Q a^2/(2 R_d), and the power of mu Q s_e. A
-    strip at z carries the fraction 3/4 (1 - z^2) of the load and has the sliding speed slip - z^2.
+    """Return (F, C, power) for Coulomb's law, integrated over the strips of an ellipse that rolls
+    with s_e = 1. F is in units of mu Q, C in units of mu Q a^2/(2 R_d), and the power in units of
+    mu Q s_e. The strip at z carries the fraction 3/4 (1 - z^2) of the load and has the sliding
+    speed slip - z^2.
     """
     with mpmath.workdps(30):
         slip = mpf(slip)
@@ -33,15 +34,15 @@ def heathcote(slip):
 
 
 def free_rolling():
-    """Return (slip, dissipated power, slope of F) where F is zero, in units of s_e, mu Q s_e and mu
-    Q/s_e."""
+    """Return the slip at which F is zero, and the dissipated power and the slope of F at this slip,
+    in units of s_e, mu Q s_e and mu Q/s_e."""
     with mpmath.workdps(30):
         t = mpmath.findroot(lambda t: 3 * t - t**3 - 1, mpf("0.35"))
         return float(t**2), heathcote(t**2)[2], float(3 * (1 - t**2) / (2 * t))
 
 
 def roelands(viscosity, xi, pressure):
-    """Return the viscosity under `pressure` (Pa s), in 40-digit arithmetic."""
+    """Return the viscosity in Pa s under `pressure` (Pa), in 40-digit arithmetic."""
     with mpmath.workdps(40):
         lift = mpmath.log(mpf(viscosity)) + mpf("9.67")
         z = mpf("1.96e8") * mpf(xi) / lift
@@ -49,9 +50,9 @@ def roelands(viscosity, xi, pressure):
 
 
 def film_coefficient(viscosity, xi, pressure, rate, stress, limit, points=None):
-    """Return the mean over the ellipse of the Eyring stress, limited to `limit` p, divided by the
-    mean pressure, by adaptive quadrature, or with a number of Gauss `points` in 40-digit
-    arithmetic."""
+    """Return the mean Eyring stress over the ellipse, limited to `limit` p, divided by the mean
+    pressure. It is computed by adaptive quadrature, or with a given number of Gauss `points` in
+    40-digit arithmetic."""
 
     def shear(t):
         p = mpf(t) * pressure
@@ -67,15 +68,15 @@ def film_coefficient(viscosity, xi, pressure, rate, stress, limit, points=None):
 
 
 def slip(law, slid, load, speed, a, b, r_d, r_x, points=400):
-    """Return (force along rolling in N, couple about the rolling axis in N m, power in W) of a
-    contact with any stress `law`(pressure in Pa, |s| in m/s) in Pa, by the midpoint rule with
-    `points` across the groove and a quarter as many along rolling; s = slid - (|u|/(2 R_d R_x))
-    z^2."""
+    """Return (force along rolling in N, couple about the rolling axis in N m, power in W) for a
+    contact with a stress `law`(pressure in Pa, |s| in m/s) in Pa, where
+    s = slid - (|u|/(2 R_d R_x)) z^2. The midpoint rule is used, with `points` across the groove and
+    a quarter as many along rolling."""
     z = (np.arange(points) + 0.5) / points  # in units of a
     many = points // 4
     angle = (np.arange(many) + 0.5) * np.pi / many
     half = b * np.sqrt(1 - z**2)
-    x = np.cos(angle) / np.ones((points, 1))  # in units of the strip's half-length
+    x = np.cos(angle) / np.ones((points, 1))  # in units of half the length of the strip
     width = half[:, None] * np.sin(angle) * np.pi / many
     peak = 1.5 * load / (np.pi * a * b)
     pressure = peak * np.sqrt(1 - z[:, None] ** 2) * np.sqrt(1 - x**2)
@@ -86,8 +87,8 @@ def slip(law, slid, load, speed, a, b, r_d, r_x, points=400):
 
 
 def hydrodynamic_rolling(viscosity, modulus, r_x, r_y, speed, load, limit=False):
-    """Return the rolling force f (N) of Biboulet and Houpert (2010, part 2, eq 32), or with `limit`
-    its elastic limit M -> infinity (eq 33)."""
+    """Return the rolling force f (N) of Biboulet and Houpert (2010, part 2, eq 32), or, if `limit`
+    is set, its elastic limit M -> infinity (eq 33)."""
     found = hertz.contact(r_x, r_y, modulus, load)
     kappa, unit = found["kappa"], modulus * r_x**2
     double = 2 * viscosity * speed / (modulus * r_x)
@@ -100,7 +101,7 @@ def hydrodynamic_rolling(viscosity, modulus, r_x, r_y, speed, load, limit=False)
 
 
 def rolling_powers(viscosity, modulus, r_x, r_y, speed, load):
-    """Return the rolling force f (N) of Balan et al. (2015), in 40-digit arithmetic."""
+    """Return the rolling force f (N) according to Balan et al. (2015), in 40-digit arithmetic."""
     with mpmath.workdps(40):
         u = mpf(viscosity) * speed / (mpf(modulus) * r_x)
         w, ratio = mpf(load) / (mpf(modulus) * mpf(r_x) ** 2), mpf(r_y) / r_x
@@ -113,7 +114,7 @@ def rolling_powers(viscosity, modulus, r_x, r_y, speed, load):
 
 
 def drag_coefficient(reynolds):
-    """Return C_D of a sphere, interpolated linearly in the logarithms of `DRAG`."""
+    """Return C_D of a sphere, from linear interpolation in the logarithms of `DRAG`."""
     table = list(DRAG.items())
     if reynolds <= table[0][0]:
         return table[0][1] * table[0][0] / reynolds
@@ -125,9 +126,9 @@ def drag_coefficient(reynolds):
 
 
 def inlet_share(length, thickness):
-    """Return the fraction of the rolling resistance that remains with an inlet of length `length` b
-    and a film of h_c = thickness b^2/(2 R_x), by adaptive quadrature of Reynolds's equation in the
-    inlet of a Hertzian contact."""
+    """Return the fraction of the rolling resistance that remains if the inlet has the length
+    `length` b and the film is h_c = thickness b^2/(2 R_x), by adaptive quadrature of Reynolds's
+    equation in the inlet of a Hertzian contact."""
 
     def slope(s):
         x = 1 + math.exp(s)
@@ -144,9 +145,9 @@ def inlet_share(length, thickness):
 
 
 def immersed(level, pitch):
-    """Return the fraction of the balls' volume that is below the oil level, averaged over their
-    path, from slices of the balls."""
+    """Return the fraction of the volume of the balls that is below the oil level, averaged over the
+    path of the balls. The balls are divided into slices."""
     azimuth, node = np.meshgrid((np.arange(2000) + 0.5) * np.pi / 2000, np.linspace(-1, 1, 2001))
-    height = -pitch * np.cos(azimuth) + node  # height of a slice, in ball radii
+    height = -pitch * np.cos(azimuth) + node  # height of a slice, in units of the ball radius
     below = height <= -pitch - 1 + 2 * level
     return float(np.average(below, weights=1 - node**2))

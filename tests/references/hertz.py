@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Hertz's elliptical contact in 40-digit arithmetic (Johnson, Contact Mechanics, 4.25-4.28)."""
+"""Hertz's elliptical contact (Johnson, Contact Mechanics, 4.25-4.28), in 40-digit arithmetic."""
 
 import functools
 
@@ -9,8 +9,8 @@ from mpmath import mpf
 
 @functools.cache
 def ellipse(r_x, r_y):
-    """Return (kappa, F, E, R) for effective radii in m, from (kappa^2 E - F)/(F - E) = R_y/R_x; F
-    and E have a squared modulus of 1 - 1/kappa^2."""
+    """Return (kappa, F, E, R) for effective radii in m, from (kappa^2 E - F)/(F - E) = R_y/R_x,
+    where the squared modulus of F and E is 1 - 1/kappa^2."""
     with mpmath.workdps(40):
         r_x, r_y = mpf(float(r_x)), mpf(float(r_y))
 
@@ -27,8 +27,8 @@ def ellipse(r_x, r_y):
 
 
 def contact(r_x, r_y, modulus, load):
-    """Return the results, keyed by name and as floats, for a contact under `load` (N) with E' =
-    `modulus` (Pa)."""
+    """Return a dict of the results, as floats, for a contact under `load` (N) with E' = `modulus`
+    (Pa)."""
     with mpmath.workdps(40):
         kappa, first, second, radius = ellipse(r_x, r_y)
         modulus, load = mpf(modulus), mpf(load)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Slip and spin of a contact under Coulomb's law, by Gauss points over the ellipse."""
+"""Slip and spin of a contact under Coulomb's law, integrated over the ellipse by Gauss points."""
 
 from typing import NamedTuple
 
@@ -16,17 +16,18 @@ class Spin(NamedTuple):
 
 
 def with_slip(load, friction, a, b, along, across, spin, *, curve=0.0, width=0.0, points=24):
-    """Return a `Spin` for a contact whose point (x along, z across) slides with the velocity
+    """Return a `Spin` for a contact in which the point (x along, z across) slides with the velocity
     (along + spin z - curve z^2, across - spin x).
 
-    The stress is mu p along the sliding velocity v, smoothed as v/sqrt(v^2 + width^2) with `width`
-    in m/s. There are `points` Gauss-Legendre radii and four times as many equally spaced angles.
+    The stress is mu p in the direction of the sliding velocity v, smoothed as v/sqrt(v^2 + width^2)
+    with `width` in m/s. There are `points` Gauss-Legendre radii and four times as many equally
+    spaced angles.
     """
     along, across, spin = np.broadcast_arrays(
         *(np.asarray(v, float) for v in (along, across, spin))
     )
     node, weight = np.polynomial.legendre.leggauss(points)
-    # r = sin(t) removes the square root from the pressure
+    # the substitution r = sin(t) removes the square root from the pressure
     t = (node + 1) * np.pi / 4
     radius, angle = np.sin(t)[:, None], (np.arange(4 * points) + 0.5) * np.pi / (2 * points)
     share = weight * np.pi / 4 * np.cos(t) ** 2 * np.sin(t) * 1.5 / np.pi * np.pi / (2 * points)
@@ -43,8 +44,8 @@ def with_slip(load, friction, a, b, along, across, spin, *, curve=0.0, width=0.0
 
 
 def free_slip(load, friction, a, b, spin, curve, *, points=16):
-    """Return `with_slip` for `spin` (n,) at the slip along rolling at which the force is zero;
-    stresses are smoothed over 1e-3 of the slip at the edge."""
+    """Return `with_slip` for `spin` (n,), at the slip along rolling for which the force is zero.
+    Stresses are smoothed over 1e-3 of the slip at the edge."""
     edge = curve * a**2
     low, high = np.zeros_like(spin), np.full_like(spin, edge)
     options = dict(curve=curve, width=1e-3 * edge, points=points)

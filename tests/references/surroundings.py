@@ -11,8 +11,8 @@ from references.hertz import ellipse
 
 def rigid(r_x, r_y, slack, separation, play, width):
     """Return I (m) for an unloaded ball: 4 pi sqrt(R_x R) asinh(S/sqrt(2 R g_0)), where R is
-    kappa^2 E R_e/(ln 4 kappa - 1) divided by 1 - play/slack. Beyond concentric circles the inverse
-    sine replaces asinh."""
+    kappa^2 E R_e/(ln 4 kappa - 1) divided by 1 - play/slack. If the play exceeds that of concentric
+    circles, the inverse sine replaces asinh."""
     kappa, _, second, radius = ellipse(r_x, r_y)
     with mpmath.workdps(40):
         across = kappa**2 * second * radius / (mpmath.log(4 * kappa) - 1)
@@ -24,7 +24,7 @@ def rigid(r_x, r_y, slack, separation, play, width):
 
 
 def loaded(r_x, r_y, modulus, load, separation, width):
-    """Return I (m) around a loaded contact: 4 kappa E R (G + pi P sqrt(2 R_x g_s)/b)."""
+    """Return I (m) outside a loaded contact: 4 kappa E R (G + pi P sqrt(2 R_x g_s)/b)."""
     kappa, first, second, radius = ellipse(r_x, r_y)
     with mpmath.workdps(40):
         d, pi = mpf, mpmath.pi
