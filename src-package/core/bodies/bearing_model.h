@@ -27,7 +27,7 @@ struct BearingModel {
   };
   struct Ring {
     Tag tag;
-    int mover;                     // in the caller's list, -1: at rest
+    int mover;                     // in the caller's list; -1: at rest except for a constant spin
     std::vector<RingValue> own;    // values set for this ring alone
     bool on_shaft = false;         // moves as one body with all rings of the same mover
     double at = 0.0;               // m, position along that shaft from its centre
