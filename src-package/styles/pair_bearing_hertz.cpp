@@ -99,6 +99,8 @@ void PairBearingHertz::init_style()
     BRG_ALL("pair_style bearing needs 'newton off': the owner of a ball computes its contacts");
   if (domain->xperiodic || domain->yperiodic || domain->zperiodic)
     BRG_ALL("pair_style bearing needs 'boundary f f f' (or m, s): a bearing is not periodic");
+  if (update->whichflag == 2)
+    BRG_ALL("pair_style bearing cannot minimize: its forces depend on speeds. Use run");
   if (!coefficients_.any_raceway())
     BRG_ALL("pair_style bearing: no raceway; give pair_coeff BALL RING inner|outer ...");
   if (!(update->dt >= shortest_step))
