@@ -32,7 +32,8 @@ try:
 except ImportError:
     raise RunError("MDAnalysis is not installed: pip install 'raceway[mdanalysis]'") from None
 
-NAMES = {1: "ball", 2: "cage", 3: "inner", 4: "outer"}  # by atom type
+# by atom type, which is that of the part: the same for all bearings
+NAMES = {1: "ball", 2: "cage", 3: "inner", 4: "outer", 5: "cage_ring"}
 # atoms of consecutive frames read together, since an analysis usually continues with the next frame
 ROWS = 5000
 FEW = 8  # reading a single frame takes about 1/FEW of the time for a block
@@ -145,8 +146,8 @@ class RunReader(ReaderBase):
 
 
 def universe(tables: RunTables) -> MDAnalysis.Universe:
-    """MDAnalysis `Universe` of the run `tables`: atoms named ball, cage, inner, outer, with their
-    host's ids and types.
+    """MDAnalysis `Universe` of the run `tables`: atoms named ball, cage, inner, outer, cage_ring
+    (a one-piece cage), with their host's ids.
 
     The trajectory is a `RunReader`. Raises `RunError` if a file is broken or MDAnalysis is not
     installed.
