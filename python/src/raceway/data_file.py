@@ -53,9 +53,10 @@ def text(path: FilePath) -> str:
 
 
 def values(path: FilePath) -> dict[str, str]:
-    """The index variables of a data file as {name: text}. Raises `InputError` if it cannot be read
-    or, as decks do, for a mistyped name, that is, a name that is not a variable but resembles a
-    variable that the file lacks. Other names are the user's own."""
+    """The index variables of a data file as {name: text}; if a name is set twice, the first value
+    counts, as in decks. Raises `InputError` if the file cannot be read or, as decks do, for a
+    mistyped name, that is, a name that is not a variable but resembles a variable that the file
+    lacks. Other names are the user's own."""
     found = _matches(path, LINE)
     if wrong := core.mistyped(found):
         raise InputError(f"{path}: {wrong}")
@@ -69,7 +70,11 @@ def comments(path: FilePath) -> dict[str, str]:
 
 
 def _matches(path, pattern):
-    return dict(m.groups() for m in map(pattern.match, text(path).splitlines()) if m)
+    found: dict[str, str] = {}
+    for line in text(path).splitlines():
+        if match := pattern.match(line):
+            found.setdefault(*match.groups())
+    return found
 
 
 def numbers(path: FilePath, *names: str) -> dict[str, float]:
