@@ -103,8 +103,9 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   double first_step_ = 0.0, start_ = 0.0, last_step_ = -1.0, step_length_ = 0.0;
   double left_ = -1.0;    // last step of the previous run, or step of the restart file
   bool resumed_ = false, running_ = false;
-  Spent clocks_;    // at the start of the present run
-  Spent spent_;     // spent in the previous runs
+  bool over_ = false;    // run_bearing has measured; a later run takes no samples
+  Spent clocks_;         // at the start of the present run
+  Spent spent_;          // spent in the previous runs
 };
 
 }    // namespace LAMMPS_NS

@@ -135,3 +135,20 @@ def test_two_bearings_of_one_name(tmp_path):
         assert settings["rpm"] == pytest.approx(speed / RAD_S, rel=1e-9)
         assert settings["load_azimuth_rad"] == pytest.approx(azimuth, abs=2e-2)
         assert figures(folder, bearing)["ring_shift_m"] > 1e-5
+
+
+def test_a_run_after_the_measurement(tmp_path):
+    """A record with samples per ball pass ends with the measurement of run_bearing; later runs,
+    also with another time step, add nothing."""
+    begin = (
+        "create_bearing b speed 100 0",
+        f"fix inner inner bearing/ring spin speed 100 {LOAD}",
+    )
+    deck = DECK + "\n".join(begin) + END
+    records = []
+    for name, more in (("alone", ""), ("more", "run 20\ntimestep 1e-5\nrun 20\n")):
+        (tmp_path / f"in.{name}").write_text(deck + more)
+        succeed(tmp_path / f"in.{name}", out=tmp_path / name)
+        records.append((tmp_path / name / "record.nc").read_bytes())
+    assert records[0] == records[1]
+    assert raceway.open(tmp_path / "more").rings.sizes["time"] == 41
