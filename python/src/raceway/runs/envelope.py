@@ -80,7 +80,10 @@ def bands(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> list[Ba
 
 
 def best_band(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> Band:
-    """The most impulsive of `bands`. Raises `ValueError` if there are too few values for a band."""
+    """The most impulsive of `bands`. Raises `ValueError` if there are too few values for a band, or
+    if the values are constant."""
+    if not np.ptp(values):
+        raise ValueError(f"{np.size(values)} values are all the same: they have no band")
     found = bands(values, sample_s, narrowest)
     if not found:
         raise ValueError(
