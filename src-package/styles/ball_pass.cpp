@@ -21,7 +21,8 @@ namespace bearing {
 namespace {
 
 struct Body {
-  double tag, type, radius, spin;    // spin in rad/s, NAN unless a fix imposes it
+  double tag, type, radius;
+  double spin;    // rad/s, imposed by a fix or kept by a ring without a fix; otherwise NAN
   Vec3 x;
 };
 
@@ -29,13 +30,19 @@ struct Body {
 std::vector<Body> bodies_of(LAMMPS *lmp, const PairCoefficients &coefficients)
 {
   const Atom &atom = *lmp->atom;
+  const raceway::LabAxes axes{coefficients.axis_index()};
   std::vector<Body> mine;
   std::vector<int> local;
   for (int i = 0; i < atom.nlocal; ++i)
     if (coefficients.is_ball(atom.type[i]) || coefficients.is_ring(atom.type[i])) {
       local.push_back(i);
       mine.push_back({double(atom.tag[i]), double(atom.type[i]), atom.radius[i], NAN,
-                      raceway::LabAxes{coefficients.axis_index()}.third(Vec3::from(atom.x[i]))});
+                      axes.third(Vec3::from(atom.x[i]))});
+    }
+  for (size_t k = 0; k < mine.size(); ++k)
+    if (const int i = local[k]; coefficients.is_ring(atom.type[i])) {
+      const double kept = axes.third(Vec3::from(atom.omega[i])).z;
+      if (kept != 0.0) mine[k].spin = kept;
     }
   for (FixBearingRing *f : fixes_of<FixBearingRing>(lmp)) {
     const std::vector<double> spin = f->imposed_spin();
@@ -76,7 +83,7 @@ struct Row {
   double balls = 0.0, ball_radius = 0.0, cosine = 1.0;
 
   // Returns the duration of a ball pass in s, which is not finite if the balls do not move. A ring
-  // without an imposed spin is assumed to be at rest.
+  // with an unknown spin is assumed to be at rest.
   double pass(double angle) const
   {
     const double pitch = written(

@@ -8,6 +8,7 @@
 #include "named_bearing.h"
 #include "pair_bearing.h"
 
+#include <algorithm>
 #include <sstream>
 
 using namespace LAMMPS_NS;
@@ -58,7 +59,8 @@ void CreateBearing::command_named(Arguments &args)
   const std::string seat = (angle || four) && thrust < 0.0   ? "minus"
                            : angle || (four && thrust > 0.0) ? "plus"
                                                              : "none";
-  const bool resumed = bearing::host_variable(lmp, "b_resumed").value_or("0") == "1";
+  const bool resumed = bearing::host_variable(lmp, "b_resumed").value_or("0") == "1" ||
+                       (modify->nfix_restart_peratom > 0 && balls_of(b.balls));
   const std::string line = std::to_string(b.balls) + " " +
                            (b.has_cage ? std::to_string(b.cage) : "none") + " " +
                            std::to_string(b.inner) + " " + std::to_string(b.outer) + " balls " +
@@ -75,6 +77,15 @@ void CreateBearing::command_named(Arguments &args)
   create(own);
   if (b.has_cage_ring && !resumed) b.phases[next_tag_ - 1] = std::atof(phase.c_str());
   if (!b.has_cage && groups) input->one(("group cage type " + std::to_string(b.cage)).c_str());
+}
+
+// True if there are atoms of a type on any rank. Collective.
+bool CreateBearing::balls_of(int type) const
+{
+  const int mine = std::count(atom->type, atom->type + atom->nlocal, type) > 0;
+  int any = 0;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  return any != 0;
 }
 
 void CreateBearing::create(Arguments &args)

@@ -46,6 +46,7 @@ class CreateBearing : public bearing::CommandBase {
   };
 
   void command_named(bearing::Arguments &);
+  bool balls_of(int type) const;
   void create(bearing::Arguments &);
   Plan parse(bearing::Arguments &);
   void check(bearing::Arguments &, const PairBearingHertz &, Plan &);

@@ -115,6 +115,38 @@ std::vector<int> ball_types(LAMMPS *lmp, const RecordLayout &layout)
   return all;
 }
 
+// The fix that states the loads of all inner rings of a record, null if there is none. Collective.
+const FixBearingRing *loaded_by(LAMMPS *lmp, const RecordLayout &layout)
+{
+  for (const FixBearingRing *f : fixes_of<FixBearingRing>(lmp)) {
+    if (!f->stated_loads().stated) continue;
+    int moved = 0, all = 0;
+    for (const RecordLayout::RecordRing &ring : layout.rings) {
+      const int i = ring.raceway == 0 ? lmp->atom->map(static_cast<tag_t>(ring.tag)) : -1;
+      moved += i >= 0 && i < lmp->atom->nlocal && f->moves(i);
+    }
+    MPI_Allreduce(&moved, &all, 1, MPI_INT, MPI_SUM, lmp->world);
+    if (all == static_cast<int>(layout.bearings.size())) return f;
+  }
+  return nullptr;
+}
+
+// True if an outer ring of a record turns, or may turn. Collective.
+bool outer_turns(LAMMPS *lmp, const RecordLayout &layout)
+{
+  int mine = 0, any = 0;
+  for (const RecordLayout::RecordRing &ring : layout.rings) {
+    const int i = ring.raceway == 1 ? lmp->atom->map(static_cast<tag_t>(ring.tag)) : -1;
+    if (i < 0 || i >= lmp->atom->nlocal) continue;
+    const double *w = lmp->atom->omega[i];
+    if (w[0] != 0.0 || w[1] != 0.0 || w[2] != 0.0) mine = 1;
+    for (const FixBearingRing *f : fixes_of<FixBearingRing>(lmp))
+      if (f->moves(i) && f->turns()) mine = 1;
+  }
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, lmp->world);
+  return any != 0;
+}
+
 }    // namespace
 
 std::vector<std::string> data_lines(LAMMPS *lmp)
@@ -175,9 +207,9 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
   add("contact_angle_deg", b.number("contact_angle"));
   add("inner_shoulder_diameter_m", b.number_or("inner_shoulder_diameter", 0.0));
   add("outer_shoulder_diameter_m", b.number_or("outer_shoulder_diameter", 0.0));
-  for (const FixBearingRing *f : fixes_of<FixBearingRing>(lmp)) {
+  const bool outer = outer_turns(lmp, layout);
+  if (const FixBearingRing *f = loaded_by(lmp, layout)) {
     const StatedLoads &loads = f->stated_loads();
-    if (!loads.stated) continue;
     add("load_N", loads.load);
     add("load_azimuth_rad", loads.azimuth);
     add("axial_N", loads.axial);
@@ -187,7 +219,7 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
     // twelve digits, the accuracy of a speed that the deck has converted from rpm to rad/s
     char rpm[32];
     snprintf(rpm, sizeof rpm, "%.12g", loads.speed * 30.0 / M_PI);
-    if (!std::isnan(loads.speed)) add("rpm", strtod(rpm, nullptr));
+    if (!std::isnan(loads.speed) && !outer) add("rpm", strtod(rpm, nullptr));
   }
 }
 

@@ -109,6 +109,17 @@ void FixBearingImplicit::build()
   }
 }
 
+// Returns the prescribed motion of a ring that no fix moves, which keeps its spin.
+static raceway::RingProgram kept_spin(const raceway::RingPose &ring)
+{
+  constexpr int spin = raceway::RingProgram::SPIN;
+  raceway::RingProgram p;
+  if (ring.spin == 0.0) return p;
+  p.mode[spin] = raceway::Freedom::speed;
+  p.target[0][spin] = p.target[1][spin] = ring.spin;
+  return p;
+}
+
 // Loads the state of a bearing and the prescribed motions of its rings in this step.
 void FixBearingImplicit::load(int p, const raceway::Vec3 &fall)
 {
@@ -116,10 +127,13 @@ void FixBearingImplicit::load(int p, const raceway::Vec3 &fall)
   BearingIntegrator &integrator = *solver_->own[p].integrator;
   const BearingModel &model = bearings.model(p);
   integrator.set_gravity(fall);
-  for (size_t k = 0; k < model.rings.size(); ++k)
-    if (model.rings[k].mover >= 0 && !model.rings[k].on_shaft)
-      integrator.set_program(static_cast<int>(k),
-                             rings_[model.rings[k].mover]->program(model.rings[k].own));
+  for (size_t k = 0; k < model.rings.size(); ++k) {
+    const BearingModel::Ring &ring = model.rings[k];
+    if (ring.on_shaft) continue;
+    integrator.set_program(static_cast<int>(k), ring.mover < 0
+                                                    ? kept_spin(bearings.rings(p)[k])
+                                                    : rings_[ring.mover]->program(ring.own));
+  }
   int shaft = static_cast<int>(model.rings.size());
   for (const BearingModel::Shaft &s : model.shafts)
     integrator.set_program(shaft++, rings_[s.mover]->program({}));

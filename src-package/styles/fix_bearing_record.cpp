@@ -176,6 +176,7 @@ void FixBearingRecord::init()
     refuse_plain_run(lmp, command_);
     return check_finished();
   }
+  over_ = a_pass_ > 0.0 && open_ && modify->find_fix(bearing::fix_of_run) < 0;
   pair_ = PairBearingHertz::find(lmp, command_);
   context_ = bearing::context_of(lmp, *pair_, columns_, command_);
   // sums over bearings need these data even if their columns are not selected
@@ -226,7 +227,7 @@ void FixBearingRecord::note(NetcdfHeader::Attribute one, bool changes)
 // Takes the first sample at the start of every run, unless the previous run ended with that sample.
 void FixBearingRecord::setup(int)
 {
-  if (waits()) return;
+  if (waits() || over_) return;
   check_step();
   if (open_) {
     check_time_step();
@@ -242,7 +243,7 @@ void FixBearingRecord::setup(int)
 
 void FixBearingRecord::end_of_step()
 {
-  if (waits()) return;
+  if (waits() || over_) return;
   sample(true);
   if (update->ntimestep == update->laststep) stop_clocks();
 }

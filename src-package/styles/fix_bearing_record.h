@@ -105,8 +105,9 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   double first_step_ = 0.0, start_ = 0.0, last_step_ = -1.0, step_length_ = 0.0;
   double left_ = -1.0;    // last step of the previous run, or the step of the restart file
   bool resumed_ = false, running_ = false;
-  Spent clocks_;    // clock readings at the start of the current run
-  Spent spent_;     // total of the previous runs
+  bool over_ = false;    // run_bearing has finished its measurement; later runs take no samples
+  Spent clocks_;         // clock readings at the start of the current run
+  Spent spent_;          // total of the previous runs
 };
 
 }    // namespace LAMMPS_NS

@@ -34,7 +34,7 @@ void FixBearingRecord::stop_clocks()
 
 void FixBearingRecord::post_run()
 {
-  if (waits()) return;
+  if (waits() || over_) return;
   if (running_) stop_clocks();
   left_ = static_cast<double>(update->ntimestep);
   if (comm->me != 0) return;

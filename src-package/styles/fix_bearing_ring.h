@@ -42,6 +42,14 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
     return (atom->mask[i] & groupbit) && (only_type_ == 0 || atom->type[i] == only_type_);
   }
   bool tilts() const { return settings_.program.tilts(); }
+  // True if the spin is free, or imposed and not always 0.
+  bool turns() const
+  {
+    constexpr int spin = raceway::RingProgram::SPIN;
+    return settings_.program.mode[spin] == raceway::Freedom::free ||
+           (settings_.program.mode[spin] == raceway::Freedom::speed &&
+            settings_.value[spin].constant_value() != 0.0);
+  }
   bool moves_axially() const { return settings_.program.mode[2] != raceway::Freedom::fixed; }
   // Returns the currently imposed spin in rad/s by local atom index. It is NAN for other atoms, or
   // if no spin is imposed.

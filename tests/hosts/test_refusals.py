@@ -162,3 +162,9 @@ def test_create_bearing_below_hybrid(tmp_path):
         deck = deck.replace(f"pair_coeff {pair}", f"pair_coeff {pair} bearing/hertz")
     end = outcome(tmp_path, deck + "run 1\n")
     assert end.code != 0 and "before it, not below hybrid" in end.error, end.text
+
+
+@pytest.mark.parametrize("host", EVERYWHERE)
+def test_minimize(tmp_path, host):
+    end = outcome(tmp_path, BEARING + "thermo_style one\nminimize 1e-4 1e-6 10 100\n", host)
+    assert end.code != 0 and "cannot minimize, because its forces depend on speeds" in end.error, end.text

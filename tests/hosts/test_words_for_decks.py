@@ -76,6 +76,47 @@ def test_one_command_for_new_and_resumed_runs(tmp_path, host, resumed):
     assert given(tmp_path, "again", again + LAST, host=host) == whole
 
 
+NAMED = """
+bearing a 6208 types 1 2 3 4 clearance 1.0e-5
+bearing c 6305 types 5 6 7 8 clearance 8.0e-6
+units si
+atom_style sphere
+atom_modify map array sort 0 0.0
+newton off
+BEGIN
+neighbor ${a_skin} nsq
+neigh_modify delay 0 every 1 check yes
+pair_style bearing oil vg46 temperature 60 models full
+pair_coeff * * a
+pair_coeff * * c oil vg100 temperature 30
+create_bearing a speed 100 -30
+create_bearing c centre 0 0 0.2 speed 100 -30
+fix rails_a cage bearing/cage a
+fix rails_c cage bearing/cage c
+fix inner inner bearing/ring mass 0.2 free loaded spin speed 100 load 1000 ramp 3.0e-3
+fix move all bearing/implicit
+timestep 1.0e-4
+"""
+
+
+@HOSTS
+def test_named_bearings_after_read_restart(tmp_path, host):
+    """The same commands create the bearings of a new run and make the groups of a run from a
+    restart file. Outer rings without a fix keep their spin."""
+    box = "boundary f f f\nregion box block -0.06 0.06 -0.06 0.06 -0.06 0.36 units box\n"
+    new = NAMED.replace("BEGIN", box + "create_box 8 box")
+    last = 'print "IS $(step) $(f_inner[2]) $(f_inner[2][2]) $(f_inner[2][12])"\n'
+    kept = tmp_path / "re"
+    said = []
+    for name, deck in (
+        ("whole", f"{new}run 50\nwrite_restart {kept}\nrun 50\n"),
+        ("again", NAMED.replace("BEGIN", f"read_restart {kept}") + "run 50\n"),
+    ):
+        (tmp_path / name).write_text(deck + last)
+        said.append(re.findall(r"^IS .*$", succeed(tmp_path / name, host=host).text, re.M))
+    assert said[0] == said[1] and said[0][0].startswith("IS 100 ")
+
+
 BY_HAND = """
 dump contacts balls local 2 OUT.contacts c_contact[1] c_contact[2]
 dump_modify contacts append APPEND FORMAT "%.0f %.12g"

@@ -40,6 +40,7 @@ def test_touches_both_grooves_without_clearance(bearing):
         ({"young": -1.0}, "young"),
         ({"poisson": 0.5}, "poisson"),
         ({"ball_diameter": float("nan")}, "ball_diameter"),
+        ({"balls": 16}, "overlapping balls: 16 balls of diameter 0.0126 m"),
         ({"outer_radius": 20e-3}, "outer_radius"),
     ],
 )

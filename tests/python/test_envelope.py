@@ -80,6 +80,8 @@ def test_mistakes():
         envelope.of_values(TIME, 1 / RATE, 3e4, 4e4)
     with pytest.raises(ValueError, match="100 values, .* too few to find a band"):
         envelope.best_band(TIME[:100], 1 / RATE)
+    with pytest.raises(ValueError, match="5000 values are all the same"):
+        envelope.best_band([0.1] * 5000, 1 / RATE)
 
 
 @pytest.fixture(scope="module")

@@ -18,6 +18,15 @@ def test_values(tmp_path):
     assert inputs.values(path) == {"film": "film", "a": "1.0e-7"}
 
 
+def test_first_value_counts(tmp_path):
+    """As in the host, which takes the row's value before the value of all rows of a table."""
+    (tmp_path / "data").write_text("variable a index 1\nvariable a index 2\n")
+    (tmp_path / "own.csv").write_text("variable a index 3\nname,a,source\nrow,4,me\nother,,me\n")
+    assert inputs.values(tmp_path / "data") == {"a": "1"}
+    assert inputs.values(tmp_path / "row") == {"a": "4"}
+    assert inputs.values(tmp_path / "other") == {"a": "3"}
+
+
 def test_bearing(bearing):
     assert inputs.bearing(ROOT / "inputs/bearings/6208") == bearing
 

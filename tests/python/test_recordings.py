@@ -198,6 +198,16 @@ def test_no_speed_from_what_is_no_shaft(bearing):
 
 
 @pytest.mark.parametrize(
+    "words, nominal", [(["--rpm", "1800"], False), (["--nominal", "1500"], True)]
+)
+def test_a_speed_that_is_only_nominal(tmp_path, capsys, words, nominal):
+    columns(tmp_path / "a.csv", struck())
+    assert main(["measured", str(tmp_path / "a.csv"), "--bearing", "6205", *words]) == 0
+    said = "rpm, nominal: no lines of the shaft near it agree"
+    assert (said in capsys.readouterr().out) == nominal
+
+
+@pytest.mark.parametrize(
     "name, write, words, says",
     [
         ("a.csv", None, {}, "there is no file"),

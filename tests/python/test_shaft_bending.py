@@ -185,3 +185,9 @@ def test_mistakes(tmp_path, capsys, words, says):
     file = tmp_path / "modes"
     assert main(["shaft", str(MOTOR), "--reduced", str(file), *words]) == 1
     assert says in capsys.readouterr().err and not file.exists()
+
+
+@pytest.mark.parametrize("words", [["--modes", "4"], ["--places", "0.1"], ["--damping", "0"]])
+def test_words_that_need_the_file(capsys, words):
+    assert main(["shaft", str(MOTOR), *words]) == 1
+    assert f"{words[0]} applies to --reduced FILE" in capsys.readouterr().err

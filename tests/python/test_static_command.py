@@ -235,6 +235,7 @@ def test_broken_data_file(capsys, tmp_path):
         ),
         (["--hold", "w=3"], "'w=3' is not NAME=VALUE with NAME one of x, y, z, rx, ry"),
         (["--hold", "x=far"], "'far' is not a number"),
+        (["--hold", "x=1e-6", "--hold", "x=2e-6"], "--hold: x is given twice"),
         (["--load", "10", "--lubricant", "mineral"], "a film needs a speed; give --rpm"),
         (["--load", "10", "--moment", "0", "0", "--tilt", "0", "0"], "--moment and --tilt"),
         (["--load", "10", "--cage", "ring"], "--cage applies to the friction torque of oil"),

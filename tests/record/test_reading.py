@@ -202,3 +202,15 @@ def test_broken(content, tmp_path):
     (tmp_path / "record.nc").write_bytes(content)
     with pytest.raises(RunError, match="cannot read .*record.nc"):
         raceway.open(tmp_path)
+
+
+def test_atoms_of_a_cage_ring(tmp_path):
+    succeed(out=tmp_path, **{**MAIN, "passes": 1, "dumps": "no", "models": "full", "cage": "ring"})
+    atoms = raceway.open(tmp_path).universe().atoms
+    assert sorted(atoms.names) == ["ball"] * 9 + ["cage_ring", "inner", "outer"]
+
+
+@pytest.mark.parametrize("samples", [7, slice(5, 5), slice(0, None, 2), slice(-3, None)])
+def test_windows_that_are_none(main_run, samples):
+    with pytest.raises(ValueError, match=r"samples .* slice\(first, stop\)"):
+        raceway.open(main_run, samples)

@@ -54,10 +54,10 @@ def text(path: FilePath) -> str:
 
 
 def values(path: FilePath) -> dict[str, str]:
-    """Return the index variables of a data file as {name: text}. Raises `InputError` if the file
-    cannot be read or contains a mistyped name. As in decks, a name counts as mistyped if it is not
-    the name of a variable but resembles one that the file does not set. All other names are left to
-    the user."""
+    """Return the index variables of a data file as {name: text}. If a name is set twice, the first
+    value counts, as in decks. Raises `InputError` if the file cannot be read or contains a mistyped
+    name. As in decks, a name counts as mistyped if it is not the name of a variable but resembles
+    one that the file does not set. All other names are left to the user."""
     found = _matches(path, LINE)
     if wrong := core.mistyped(found):
         raise InputError(f"{path}: {wrong}")
@@ -71,7 +71,11 @@ def comments(path: FilePath) -> dict[str, str]:
 
 
 def _matches(path, pattern):
-    return dict(m.groups() for m in map(pattern.match, text(path).splitlines()) if m)
+    found: dict[str, str] = {}
+    for line in text(path).splitlines():
+        if match := pattern.match(line):
+            found.setdefault(*match.groups())
+    return found
 
 
 def numbers(path: FilePath, *names: str) -> dict[str, float]:

@@ -28,7 +28,8 @@ struct BearingModel {
   };
   struct Ring {
     Tag tag;
-    int mover;                     // index in the caller's list, -1: at rest
+    int mover;                     // index in the caller's list, -1: at rest except for a constant
+                                   // spin
     std::vector<RingValue> own;    // values set only for this ring
     bool on_shaft = false;         // moves as one body with all rings of the same mover
     double at = 0.0;               // m, position along that shaft relative to its centre

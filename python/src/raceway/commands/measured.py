@@ -151,6 +151,7 @@ def _figures(opened: "Recording") -> dict[str, Any]:
         "rpm": opened.rpm,
         "rpm_uncertainty": 60 * found.uncertainty if found else None,
         "rpm_nominal": opened.nominal_rpm,
+        "rpm_known": opened.speed_known,
         "load_N": _known(opened.load),
         "channels": channels,
     }
@@ -168,6 +169,8 @@ def _text(figures):
         shaft += (
             f" {figures['rpm_nominal']:g} rpm ({figures['rpm'] / figures['rpm_nominal'] - 1:+.3%})"
         )
+    elif not figures["rpm_known"]:
+        shaft += ", nominal: no lines of the shaft near it agree"
     rows.append(shaft)
     if figures["load_N"] is not None:
         rows.append(f"  load {figures['load_N']:.4g} N radial")

@@ -30,6 +30,7 @@ examples:
   raceway shaft rotor.toml --reduced build/rotor.modes
 
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
+MODES = 4  # default of --modes
 SHOWN = 6  # number of natural frequencies and of critical speeds that are shown
 FASTEST = 1e4  # rad/s, upper limit of the search for critical speeds
 LOADS = ("load_x_N", "load_y_N", "load_z_N", "moment_x_N_m", "moment_y_N_m")
@@ -62,14 +63,12 @@ def add(commands: Commands) -> None:
     reduced.add_argument(
         "--modes",
         type=int,
-        default=4,
         metavar="N",
         help="number of modes per plane with bearings and loads held (default: 4)",
     )
     reduced.add_argument(
         "--damping",
         type=number(0, 1, ""),
-        default=0.0,
         metavar="RATIO",
         help="damping ratio of every elastic mode (default: 0)",
     )
@@ -133,6 +132,14 @@ def run(arguments: argparse.Namespace) -> None:
 def _check(arguments):
     from raceway.errors import RacewayError
 
+    given = {name: getattr(arguments, name) for name in ("modes", "damping", "kept", "places")}
+    for name, value in given.items():
+        if not arguments.reduced and value not in (None, []):
+            raise RacewayError(f"--{name} applies to --reduced FILE, which is missing")
+    if arguments.modes is None:
+        arguments.modes = MODES
+    if arguments.damping is None:
+        arguments.damping = 0.0
     if not 0 <= arguments.modes <= 50:
         raise RacewayError(f"--modes is {arguments.modes}, must be from 0 to 50")
     if not 0 <= arguments.damping < 1:

@@ -191,6 +191,9 @@ def run(arguments: argparse.Namespace) -> None:
         )
     if arguments.temperature is not None and dry:
         arguments.complain("--temperature applies to the lubricant; give --lubricant")
+    names = [name for name, _ in arguments.hold]
+    if twice := sorted({name for name in names if names.count(name) > 1}):
+        arguments.complain(f"--hold: {twice[0]} is given twice")
     held = {} if arguments.moment else dict(zip(("rx", "ry"), arguments.tilt or (0.0, 0.0)))
     held.update(arguments.hold)
     evaluate = partial(

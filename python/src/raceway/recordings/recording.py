@@ -99,6 +99,11 @@ class Recording:
         return shaft_speed.find(first.values, first.sample_s, self.nominal_rpm / 60)
 
     @property
+    def speed_known(self) -> bool:
+        """False if the speed is only nominal: not given, and not found in the first channel."""
+        return self._given is not None or self.speed is not None
+
+    @property
     def rpm(self) -> float:
         """Speed of the shaft in rpm, as given, as found, or as stated in the file."""
         return 60 * self.speed.hertz if self.speed else self.nominal_rpm

@@ -82,7 +82,10 @@ def bands(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> list[Ba
 
 
 def best_band(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> Band:
-    """Return the most impulsive of `bands`; raise `ValueError` if there are too few values."""
+    """Return the most impulsive of `bands`; raise `ValueError` if there are too few values, or if
+    the values are constant."""
+    if not np.ptp(values):
+        raise ValueError(f"{np.size(values)} values are all the same: they have no band")
     found = bands(values, sample_s, narrowest)
     if not found:
         raise ValueError(

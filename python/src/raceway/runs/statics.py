@@ -158,14 +158,13 @@ def _point(tables, run):
         from raceway.theory.oil_supply import Supply
 
         words["supply"] = Supply(deck["lubrication"], float(deck["oil_level"]))
-    start = body.seat(angle)
     if not deck:  # only the main deck records which degrees of freedom are held
         z, *tilt = _place(tables)
-        held = {"z": z + math.copysign(start, loading(tables).axial)}
+        held = {"z": z}  # includes the displacement in which the balls start
         held.update(zip(("rx", "ry"), _about_load_line(*tilt, azimuth)))
         return words | dict(load=loading(tables).radial, held=held), None
     load, axial = float(settings["load_N"]), float(settings["axial_N"])
-    seat = None if four_point and axial else math.copysign(start, axial)
+    seat = None if four_point and axial else math.copysign(body.seat(angle), axial)
     moment = [float(settings[f"moment_{axis}_N_m"]) for axis in "xy"]
     held = {} if any(moment) else {"rx": 0.0, "ry": 0.0}
     moment = _about_load_line(*moment, azimuth)

@@ -318,10 +318,12 @@ def _past_shoulder(tables):
 
 def ring_displacement(tables: RunTables) -> Floats:
     """Return the displacement of the inner ring along the load in m, with one value per sample."""
+    return _along_load(tables, tables.rings["x"].to_numpy(), tables.rings["y"].to_numpy())
+
+
+def _along_load(tables, x, y):
     azimuth = tables.settings["load_azimuth_rad"]
-    return (
-        tables.rings["x"] * math.cos(azimuth) + tables.rings["y"] * math.sin(azimuth)
-    ).to_numpy()
+    return x * math.cos(azimuth) + y * math.sin(azimuth)
 
 
 def _of_bearing(tables):
@@ -353,7 +355,15 @@ def _of_bearing(tables):
 
 
 def _displacement(tables):
-    shift = ring_displacement(tables)[tables.rings["sample"] > 0].mean()
+    """Displacement of the inner ring relative to the outer ring, which a load or a soft housing may
+    also displace."""
+    later = tables.rings["sample"] > 0
+    shift = ring_displacement(tables)[later].mean()
+    outer = tables.record.fixed("ring_raceway") == OUTER
+    if outer.any():
+        moved = tables.record.read(["ring_x", "ring_y"], tables.first, tables.last)
+        x, y = (moved[f"ring_{axis}"][:, outer][:, 0] for axis in "xy")
+        shift -= _along_load(tables, x, y)[later].mean()
     return {
         "ring_shift_m": shift,
         "load_parameter": load_parameter(tables, shift),

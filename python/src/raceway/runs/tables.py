@@ -196,6 +196,8 @@ class RunTables:
 
 def _window(samples):
     """Return (first, stop) of a slice of samples."""
+    if not isinstance(samples, slice):
+        raise ValueError(f"samples is {samples!r}, must be slice(first, stop)")
     first, stop = samples.start or 0, samples.stop
     if samples.step not in (None, 1) or first < 0 or (stop is not None and stop <= first):
         raise ValueError(

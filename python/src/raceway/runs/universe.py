@@ -32,7 +32,8 @@ try:
 except ImportError:
     raise RunError("MDAnalysis is not installed: pip install 'raceway[mdanalysis]'") from None
 
-NAMES = {1: "ball", 2: "cage", 3: "inner", 4: "outer"}  # by atom type
+# names by atom type, i.e. by the type of the part, which is the same for all bearings
+NAMES = {1: "ball", 2: "cage", 3: "inner", 4: "outer", 5: "cage_ring"}
 # number of atoms in consecutive frames that are read together, because an analysis usually
 # continues with the next frame
 ROWS = 5000
@@ -149,9 +150,9 @@ class RunReader(ReaderBase):
 def universe(tables: RunTables) -> MDAnalysis.Universe:
     """Return an MDAnalysis `Universe` for the run `tables`.
 
-    Its atoms are named ball, cage, inner and outer, and have the ids and types of the host. The
-    trajectory is a `RunReader`. Raise `RunError` if a file is broken or if MDAnalysis is not
-    installed.
+    Its atoms are named ball, cage, inner, outer and cage_ring (a one-piece cage), and have the ids
+    and types of the host. The trajectory is a `RunReader`. Raises `RunError` if a file is broken or
+    if MDAnalysis is not installed.
     """
     reader = RunReader(str(tables.folder), tables.first, tables.stop, tables.record.bearing)
     result = MDAnalysis.Universe.empty(reader.n_atoms)

@@ -67,7 +67,8 @@ def simulate(
     words = host_program.words(program) if program else host_program.find(host)
     words = host_program.on_ranks(words, ranks)
     known = deck_variables(source)
-    own |= deck_text.values(source, {"out": folder} | _inputs(known, source))
+    inputs = {} if "inputs" in own else _inputs(known, source)
+    own |= deck_text.values(source, {"out": folder} | inputs)
     own |= deck_text.values(
         source, {"resume": resume and not overwrite or None, "overwrite": overwrite or None}
     )

@@ -96,6 +96,12 @@ class Bearing:
                 f"outer_radius = {self.outer_radius} m is not outside "
                 f"inner_radius = {self.inner_radius} m"
             )
+        apart = 2 * self.pitch_radius * np.sin(np.pi / self.balls)
+        if self.balls > 1 and apart < self.ball_diameter:
+            raise ValueError(
+                f"overlapping balls: {self.balls} balls of diameter {self.ball_diameter:g} m on a "
+                f"pitch circle of radius {self.pitch_radius:g} m are {apart:g} m apart"
+            )
 
     @classmethod
     def from_mapping(cls, data: Mapping[str, Any]) -> "Bearing":
