@@ -136,23 +136,72 @@ def test_the_true_speed_near_a_nominal_one(tmp_path, bearing, capsys):
         )
 
 
-@pytest.mark.parametrize("mark", [";", ";,", ",", "\t", "  "])
+@pytest.mark.parametrize("mark", [";", ";,", ",", "\t", "\t,", ",\t", "  "])
 @pytest.mark.parametrize("head", [True, False])
 @pytest.mark.parametrize("names", [["a_m_s2"], ["time_s", "a_m_s2", "b_g"]])
 def test_separators(tmp_path, bearing, mark, head, names):
     """Files may have one or several columns, with or without a heading, after a comment; numbers
-    have decimal points or, between semicolons, decimal commas."""
+    have decimal points or, between semicolons or tabs, decimal commas. Times without a heading are
+    not a channel."""
     values = struck(seconds=0.05)
     table = np.column_stack([np.arange(len(values)) / RATE, values, values])[:, -len(names) :]
-    mark, point = (";", "," if names[1:] else ".") if mark == ";," else (mark, ".")
+    mark, point = (mark[0], "," if names[1:] else ".") if mark[1:] == "," else (mark, ".")
     rows = [mark.join(f"{x:.9e}".replace(".", point) for x in row) for row in table]
     lines = [mark.join(names)] * head + rows
     (tmp_path / "a.csv").write_text("# a rig\n" + "\n".join(lines))
     rate = None if head and len(names) > 1 else RATE
     found = recording.Recording(tmp_path / "a.csv", bearing, rpm=60 * SHAFT, rate=rate)
-    wanted = names[-2:] if head else [f"column_{k + 1}" for k in range(len(names))]
+    wanted = names[-2:] if head else [f"column_{k + 1}" for k in range(len(names))][-2:]
     assert list(found.channels) == wanted
-    assert found.signal(wanted[0 if head else -1]).values == pytest.approx(values, rel=1e-8)
+    assert found.signal().values == pytest.approx(values, rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    "name, unit_s, index",
+    [
+        ("Time (s)", 1, False),
+        ("time [ms]", 1e-3, False),
+        ("t_us", 1e-6, True),
+        ("Time", 1, True),
+        ("", 1, False),
+    ],
+)
+def test_times_and_numbers_of_rows(tmp_path, bearing, name, unit_s, index):
+    """The unit in the heading of the times counts, and numbers of rows are not a channel."""
+    rows = np.arange(4000)
+    table = np.column_stack([rows, rows / RATE / unit_s, np.cos(rows), -np.cos(rows)])
+    heads = ["", name, "a_g", "b"]
+    table, heads = (table, heads) if index else (table[:, 1:], heads[1:])
+    np.savetxt(tmp_path / "a.csv", table, delimiter=",", header=",".join(heads), comments="")
+    rate = None if name else RATE
+    found = recording.Recording(tmp_path / "a.csv", bearing, rpm=1800, rate=rate)
+    assert list(found.channels) == ["a_g", "b"]
+    assert 1 / found.signal().sample_s == pytest.approx(RATE, rel=1e-9)
+    assert found.signal().values == pytest.approx(GRAVITY * np.cos(rows), abs=1e-9)
+
+
+@pytest.mark.parametrize("digits", [9, 6, 3])
+def test_times_with_a_gap(tmp_path, bearing, digits):
+    """One missing row in a hundred thousand is reported, unless the times are rounded to more than
+    the gap; rounded times alone are accepted."""
+    rows = np.arange(100_000)
+    for keep in (rows, np.delete(rows, 70_000)):
+        table = np.column_stack([keep / RATE, np.cos(keep)])
+        np.savetxt(tmp_path / "a.csv", table, delimiter=",", header="t,a", fmt=f"%.{digits}f")
+        (tmp_path / "a.csv").write_text((tmp_path / "a.csv").read_text().removeprefix("# "))
+        if len(keep) == len(rows) or digits == 3:
+            found = recording.Recording(tmp_path / "a.csv", bearing, rpm=1800)
+            assert 1 / found.signal().sample_s == pytest.approx(RATE, rel=2e-4)
+        else:
+            with pytest.raises(RunError, match="gap after row 70000"):
+                recording.Recording(tmp_path / "a.csv", bearing, rpm=1800)
+
+
+def test_a_long_file_with_a_heading(tmp_path, bearing, recwarn):
+    """No warning of pandas reaches the user."""
+    columns(tmp_path / "a.csv", np.tile(np.cos(np.arange(1000)), 300))
+    found = recording.Recording(tmp_path / "a.csv", bearing, rpm=1800)
+    assert len(found.signal().values) == 300_000 and not list(recwarn)
 
 
 def test_a_run_and_its_recording_are_one(tmp_path, lubricated):
@@ -209,6 +258,7 @@ def test_no_speed_from_what_is_no_shaft(bearing):
         ("a.npz", lambda path: np.savez(path, a=np.ones(64)), {"rate": 1e3}, "speed of the shaft"),
         ("a.npz", lambda path: np.savez(path, a=[1, np.nan]), {}, "not finite"),
         ("a.csv", lambda path: path.write_text("t,a\n0,1\n1,2\n5,3\n"), {}, "even steps"),
+        ("a.csv", lambda path: path.write_text("t,a\n0,1\n2,2\n1,3\n3,4\n"), {}, "even steps"),
         ("a.csv", lambda path: path.write_text("t,a\n0,1\n1,x\n2,3\n"), {}, "not a row of numbers"),
         ("acc_00001.csv", lambda path: path.write_text("1,2\n3,4\n"), {}, "has 2 columns"),
     ],

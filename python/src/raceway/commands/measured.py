@@ -22,7 +22,8 @@ shaft from its own lines, and the lines of the bearing in the spectrum of the en
 
 Files: .mat of Case Western Reserve University (X..._DE_time), of the MFPT society (bearing.gs), of
 Paderborn University (structure of X and Y) and of `raceway dataset`; .npz with one row for each
-name; .csv of PRONOSTIA (acc_00001.csv), or with columns, the first of which may be `time_s`; .wav.
+name; .csv of PRONOSTIA (acc_00001.csv), or with columns, the first of which may be times (`time_s`,
+`Time (ms)`) without gaps, or numbers of rows, which are left out; .wav.
 CWRU's .mat files do not state their rate: give --rate 12000 or 48000. Accelerations in g are shown
 in m/s^2.
 
