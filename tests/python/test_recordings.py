@@ -51,6 +51,12 @@ def mfpt(path, values):
     return {}
 
 
+def told(path, name, value):
+    """A file of MFPT with another `value` of one of its numbers."""
+    numbers = {"sr": RATE, "load": 100, "rate": 30, name: value}
+    io.savemat(path, {"bearing": {"gs": np.ones((64, 1)), **numbers}})
+
+
 def paderborn(path, values):
     """Time bases and channels are arrays of structures; the speed is sampled at 4 kHz."""
     slow = np.arange(int(SECONDS * 4000)) / 4000
@@ -248,6 +254,10 @@ def test_no_speed_from_what_is_no_shaft(bearing):
     "name, write, words, says",
     [
         ("a.csv", None, {}, "there is no file"),
+        ("a.npz", lambda path: np.savez(path, a=np.ones(64) + 1j), {}, "not a row of numbers"),
+        ("a.mat", lambda path: told(path, "sr", "48k"), {}, "sr is not one number"),
+        ("a.mat", lambda path: told(path, "load", [1, 2]), {}, "load is not one number"),
+        ("a.mat", lambda path: told(path, "rate", []), {}, "speed of the shaft"),
         ("a.dat", lambda path: path.write_text("1"), {}, r"ends in \.mat"),
         ("a.mat", lambda path: path.write_text("nothing"), {}, "is not a MATLAB file"),
         ("a.mat", lambda path: io.savemat(path, {"A": 1}), {}, "has A: known are"),
@@ -257,6 +267,12 @@ def test_no_speed_from_what_is_no_shaft(bearing):
         ("a.npz", lambda path: np.savez(path, a=np.ones(64)), {}, "not state its sampling rate"),
         ("a.npz", lambda path: np.savez(path, a=np.ones(64)), {"rate": 1e3}, "speed of the shaft"),
         ("a.npz", lambda path: np.savez(path, a=[1, np.nan]), {}, "not finite"),
+        (
+            "130.mat",
+            lambda path: io.savemat(path, {"X130_DE_time": np.ones(64), "X130RPM": [1797, 1796]}),
+            {},
+            "X130RPM is not one number",
+        ),
         ("a.csv", lambda path: path.write_text("t,a\n0,1\n1,2\n5,3\n"), {}, "even steps"),
         ("a.csv", lambda path: path.write_text("t,a\n0,1\n2,2\n1,3\n3,4\n"), {}, "even steps"),
         ("a.csv", lambda path: path.write_text("t,a\n0,1\n1,x\n2,3\n"), {}, "not a row of numbers"),

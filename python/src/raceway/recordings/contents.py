@@ -35,8 +35,11 @@ class Contents(NamedTuple):
 
 def channel(path: FilePath, name: str, values: ArrayLike, rate: float, **words: Any) -> Channel:
     """`Channel` of `values`, a row or a column; `words` are the `scale` into SI `units` and the
-    `meaning`. Raises `RunError` for values that are not finite numbers and for other shapes."""
+    `meaning`. Raises `RunError` for values that are not finite real numbers and for other
+    shapes."""
     try:
+        if np.iscomplexobj(values):
+            raise TypeError
         row = np.ravel(np.asarray(values, float)) * words.get("scale", 1.0)
     except (TypeError, ValueError):
         raise RunError(f"{path}: {name} is not a row of numbers") from None
