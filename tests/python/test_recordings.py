@@ -203,6 +203,18 @@ def test_times_with_a_gap(tmp_path, bearing, digits):
                 recording.Recording(tmp_path / "a.csv", bearing, rpm=1800)
 
 
+WAV = [("i2", 32767, 0), ("i4", 2**31 - 1, 0), ("u1", 127, 128)]
+
+
+@pytest.mark.parametrize("kind, top, middle", WAV)
+def test_integers_of_a_wav_file(tmp_path, bearing, kind, top, middle):
+    """Full scale is 1, and silence is 0 even in files of 8 bits, which are unsigned."""
+    wave = np.sin(np.arange(200))
+    wavfile.write(tmp_path / "a.wav", 8000, np.round(wave * top + middle).astype(kind))
+    found = recording.Recording(tmp_path / "a.wav", bearing, rpm=1800)
+    assert found.signal().values == pytest.approx(wave, abs=1 / top)
+
+
 def test_a_long_file_with_a_heading(tmp_path, bearing, recwarn):
     """No warning of pandas reaches the user."""
     columns(tmp_path / "a.csv", np.tile(np.cos(np.arange(1000)), 300))

@@ -143,7 +143,8 @@ def _rises(column):
 
 
 def read_wav(path: Path) -> Contents:
-    """`Contents` of a wav file; integers are divided by their largest value. Raises `RunError`."""
+    """`Contents` of a wav file; integers are divided by their largest value. Integers of 8 bits are
+    unsigned, with silence at 128. Raises `RunError`."""
     try:
         with warnings.catch_warnings():
             # chunks that the reader ignores
@@ -151,6 +152,8 @@ def read_wav(path: Path) -> Contents:
             rate, values = wavfile.read(path)
     except (ValueError, OSError) as error:
         raise RunError(f"cannot read {path}: {error}") from None
+    if values.dtype == np.uint8:
+        values = (values.astype(np.int16) - 128).astype(np.int8)
     scale = 1 / np.iinfo(values.dtype).max if values.dtype.kind in "iu" else 1.0
     words = {"scale": scale, "meaning": "signal, full scale 1"}
     rows = np.atleast_2d(np.transpose(values))
