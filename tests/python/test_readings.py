@@ -88,6 +88,9 @@ def test_a_line_of_a_recording(tmp_path):
     assert abs(one.value - order) < 3 * one.within < 1e-3
     with pytest.raises(RacewayError, match="shows no line BPFI; it shows BPFO"):
         readings.read(write(tmp_path, path.read_text().replace("line: BPFO", "line: BPFI")))
+    np.savez(tmp_path / "1797_OR@6_7_DE48.npz", DE=noise)
+    with pytest.raises(RacewayError, match="no lines of the shaft near 1797 rpm: give its true"):
+        readings.read(path)
 
 
 def test_an_error_of_the_cage_is_common_to_its_lines():

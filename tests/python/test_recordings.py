@@ -10,6 +10,7 @@ import synthetic
 from raceway import envelope, inputs, passages, recording, shaft_speed, spectrum
 from raceway.cli import main
 from raceway.errors import RunError
+from raceway.recordings import orders
 from raceway.recordings.contents import GRAVITY, POUND
 from scipy import io
 from scipy.io import wavfile
@@ -253,6 +254,25 @@ def test_length_of_a_spall_in_a_recording(tmp_path, bearing):
     np.savez(tmp_path / "passes.npz", a=-(way**2))
     of = recording.Recording(tmp_path / "passes.npz", bearing, rpm=rpm, rate=rate)
     assert 1e3 * passages.of_run(of, "outer", "a").seconds == pytest.approx(2.0, abs=0.02)
+
+
+def test_a_nominal_speed_is_not_the_true_one(tmp_path, bearing, capsys):
+    """If no lines of the shaft are found, the speed is said to be nominal, and an order is as
+    uncertain as this speed."""
+    rng, time = np.random.default_rng(4), np.arange(int(2 * RATE)) / RATE
+    since = (ORDER * SHAFT * time) % 1 / (ORDER * SHAFT)
+    ringing = np.exp(-1500 * since) * np.sin(2 * np.pi * 4000 * since)
+    np.savez(tmp_path / "a.npz", a=ringing + 0.02 * rng.normal(size=len(time)))
+    words = ["measured", str(tmp_path / "a.npz"), "--bearing", "6205", "--rate", f"{RATE}"]
+    assert main([*words, "--nominal", "1800"]) == 0
+    assert "shaft 1800 rpm, nominal: the true speed is unknown" in capsys.readouterr().out
+    assert main([*words, "--rpm", "1800"]) == 0
+    assert "shaft 1800 rpm\n" in capsys.readouterr().out
+    for words, source, share in (({"nominal": 1800}, "nominal", 8e-3), ({"rpm": 1800}, "given", 0)):
+        found = recording.Recording(tmp_path / "a.npz", bearing, rate=RATE, **words)
+        one = orders.of_recording(found)["BPFO"]
+        assert found.speed_from == source
+        assert share * one.value <= one.uncertainty <= (share + 2e-3) * one.value
 
 
 def test_no_speed_from_what_is_no_shaft(bearing):

@@ -144,6 +144,7 @@ def _figures(opened: "Recording") -> dict[str, Any]:
         "rpm": opened.rpm,
         "rpm_uncertainty": 60 * found.uncertainty if found else None,
         "rpm_nominal": opened.nominal_rpm,
+        "rpm_from": opened.speed_from,
         "load_N": _known(opened.load),
         "channels": channels,
     }
@@ -161,6 +162,8 @@ def _text(figures):
         shaft += (
             f" {figures['rpm_nominal']:g} rpm ({figures['rpm'] / figures['rpm_nominal'] - 1:+.3%})"
         )
+    elif figures["rpm_from"] == "nominal":
+        shaft += ", nominal: the true speed is unknown, no lines of the shaft agree"
     rows.append(shaft)
     if figures["load_N"] is not None:
         rows.append(f"  load {figures['load_N']:.4g} N radial")

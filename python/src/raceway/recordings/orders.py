@@ -48,7 +48,6 @@ def of_spectrum(recording: Recording, found_in: xr.DataArray) -> dict[str, Order
     """`Order` of each line of `LINES` with its harmonics in a spectrum (`spectrum.spectrum`) of a
     signal of the `recording`. Harmonics that disagree with the strongest one are ignored."""
     shaft, resolution = recording.rpm / 60, found_in.attrs["resolution"]
-    relative = recording.speed.uncertainty / shaft if recording.speed else 0.0
     found: dict[str, Order] = {}
     lines = [one for one in spectrum.lines(recording, found_in, within=WITHIN) if not one.note]
     for name in LINES:
@@ -63,7 +62,8 @@ def of_spectrum(recording: Recording, found_in: xr.DataArray) -> dict[str, Order
         mean = float(np.average(values, weights=weight))
         scatter = math.sqrt(float(np.average((values - mean) ** 2, weights=weight)) / len(own))
         fine = FINE * resolution / shaft / math.sqrt(weight.sum())
-        found[name] = Order(mean, math.hypot(fine, scatter, mean * relative), len(own))
+        speed = mean * recording.speed_uncertainty
+        found[name] = Order(mean, math.hypot(fine, scatter, speed), len(own))
     return found
 
 

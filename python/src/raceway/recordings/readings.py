@@ -170,6 +170,11 @@ def _from_file(given, values, where, bearing, folder) -> list[Reading]:
         nominal_angle=inputs.nominal_angle(bearing),
         name=bearing.name,
     )
+    if "rpm" not in values and not recording.speed:
+        raise ValueError(
+            f"{where}: {recording.where} shows no lines of the shaft near"
+            f" {recording.nominal_rpm:g} rpm: give its true speed as rpm"
+        )
     found = orders.of_recording(recording, given.get("channel") or "")
     wanted = [given["line"]] if "line" in given else list(found)
     if missing := [name for name in wanted if name not in found]:

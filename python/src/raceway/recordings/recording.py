@@ -99,6 +99,20 @@ class Recording:
         return 60 * self.speed.hertz if self.speed else self.nominal_rpm
 
     @property
+    def speed_from(self) -> str:
+        """Source of `rpm`: "given", "lines" of the shaft, or "nominal" if no lines show it."""
+        return "given" if self._given is not None else "lines" if self.speed else "nominal"
+
+    @property
+    def speed_uncertainty(self) -> float:
+        """Relative standard deviation of `rpm`: 0 if it is given, that of an even distribution
+        around the nominal speed if no lines show it."""
+        if self._given is not None:
+            return 0.0
+        found = self.speed
+        return found.uncertainty / found.hertz if found else shaft_speed.NEAR / math.sqrt(3)
+
+    @property
     def geometry(self) -> Bearing:
         """The bearing."""
         return self._bearing

@@ -16,6 +16,7 @@ from raceway.arrays import Floats
 from raceway.runs import envelope, spectrum
 
 HARMONICS = 6
+NEAR = 0.015  # largest relative difference between the true and the nominal speed
 AGREE = 0.04  # largest difference between two lines of one shaft, in units of the resolution
 FINE = 0.02  # uncertainty of the frequency of a line in noise, in units of the resolution
 
@@ -28,7 +29,7 @@ class Speed(NamedTuple):
     harmonics: int  # lines that agree
 
 
-def find(values: ArrayLike, sample_s: float, nominal: float, within: float = 0.015) -> Speed | None:
+def find(values: ArrayLike, sample_s: float, nominal: float, within: float = NEAR) -> Speed | None:
     """`Speed` of the shaft in evenly sampled `values` (N,), `sample_s` apart, at most `within`
     (relative) from the `nominal` speed in Hz; None if fewer than two harmonics agree.
 
