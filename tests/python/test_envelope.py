@@ -77,6 +77,11 @@ def test_mistakes():
         envelope.of_values(TIME, 1 / RATE, 3e4, 4e4)
     with pytest.raises(ValueError, match="100 values, .* too few to find a band"):
         envelope.best_band(TIME[:100], 1 / RATE)
+    with pytest.raises(ValueError, match="band 4000 to 3000 Hz: the first must be below"):
+        envelope.of_values(TIME, 1 / RATE, 4e3, 3e3)
+    for value in (0.0, 5.1):
+        with pytest.raises(ValueError, match="the signal is constant"):
+            envelope.best_band(np.full(len(TIME), value), 1 / RATE)
 
 
 @pytest.fixture(scope="module")

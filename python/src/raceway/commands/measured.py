@@ -168,13 +168,13 @@ def _text(figures):
     if figures["load_N"] is not None:
         rows.append(f"  load {figures['load_N']:.4g} N radial")
     heads = ("values", "rate", "mean", "rms", "peak", "kurtosis")
-    rows += ["", f"  {'channel':<24}" + "".join(f"{head:>14}" for head in heads)]
+    rows += ["", f"  {'channel':<24}" + "".join(f"{head:>16}" for head in heads)]
     for one in figures["channels"]:
         rate = "-" if one["rate_Hz"] is None else prefixed(one["rate_Hz"], "Hz", 5)
         cells = [str(one["values"]), rate]
         cells += [_cell(one[key], one["unit"]) for key in ("mean", "rms", "peak")]
         cells.append(_cell(one["kurtosis"], ""))
-        rows.append(f"  {one['name']:<24}" + "".join(f"{cell:>14}" for cell in cells))
+        rows.append(f"  {one['name']:<24}" + "".join(f"{cell:>16}" for cell in cells))
     return "\n".join(rows)
 
 
