@@ -235,6 +235,7 @@ def series(path: FilePath, inputs_folder: FilePath | None = None) -> Series:
     `drift`, the standard deviation of each unknown after an hour. Raises `RacewayError`."""
     data = yaml_file.read(path, ReadingsError)
     try:
+        data = dict(_mapping(data, "the file"))
         own = {name: data.pop(name, None) for name in ("series", "within", "drift")}
         if missing := [name for name in ("series", "within") if not own[name]]:
             raise ValueError(f"{missing[0]} is missing")
