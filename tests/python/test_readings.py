@@ -34,6 +34,7 @@ def write(tmp_path, text=GOOD):
     [
         ("bearing: 6205", "", "bearing is missing"),
         ("bearing: 6205", "bearing: 62055", "there is no bearing '62055'"),
+        ("bearing: 6205", "bearing: [6205]", "bearing must be one name"),
         ("bearing: 6205", "bearings: 6205", "bearings is not one of bearing, lubricant"),
         ("vg68", "vg68\nmodels: fuller", "models 'fuller' is not one of paper, full, eyring"),
         ("load: 10", "load: ten", "known: load: 'ten' is not a number"),
@@ -49,6 +50,11 @@ def write(tmp_path, text=GOOD):
         ("BPFO: 3.5972", "BPFO: 3.5972, BPFI: 5.4", "has 2"),
         ("BPFO", "BPF", "BPF is not one of rpm"),
         ("BPFO: 3.5972, within: 2e-4", "file: none.mat", "there is no file"),
+        ("BPFO: 3.5972", "file: none.mat", "within cannot be given with file"),
+        ("within: 2e-4", "within: 2e-4, line: BPFO", "line cannot be given without file"),
+        ("BPFO: 3.5972, within: 2e-4", "file: none.mat, nominal: 1800", "rpm, the true speed, or"),
+        ("BPFO: 3.5972, within: 2e-4", "file: [none.mat]", "file must be one name"),
+        ("BPFO: 3.5972", "capacitance: 25", "capacitance: 25 must lie between 0 and 1e-06"),
     ],
 )
 def test_mistakes(tmp_path, old, new, says):

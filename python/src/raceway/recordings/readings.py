@@ -25,6 +25,8 @@ STATE = {
 DEFAULTS = {"clearance": 0.0, "load": 0.0, "axial": 0.0}
 QUANTITIES = (*orders.LINES, "capacitance", "temperature")
 UNITS = {"capacitance": "F", "temperature": "C"}  # lines are in orders of the shaft
+LINE = (1e-3, 1e3)  # orders
+POSSIBLE = {"capacitance": (0.0, 1e-6), "temperature": (-60.0, 300.0)}  # values of a reading
 MORE = ("load_more", "axial_more")
 FILE = ("file", "line", "rate", "nominal", "channel")
 
@@ -88,6 +90,7 @@ def _readings(data: Any, folder: Path, shelf: FilePath | None) -> Readings:
     _only(given, ("bearing", "lubricant", "models", "ambient", "known", "unknown", "readings"), "")
     if missing := [name for name in ("bearing", "lubricant", "readings") if not given.get(name)]:
         raise ValueError(f"{missing[0]} is missing")
+    _names(given, ("bearing", "lubricant", "models"))
     models = given.get("models") or "full"
     if models not in STATICS:
         raise ValueError(f"models '{models}' is not one of {', '.join(STATICS)}")
@@ -140,15 +143,22 @@ def _reading(row: Any, where: str, bearing: Path, folder: Path) -> list[Reading]
     _only(given, (*Point._fields, *QUANTITIES, "within", *FILE), where)
     if "rpm" not in given and "file" not in given:
         raise ValueError(f"{where}: rpm is missing")
+    # a recording gives the value and its uncertainty itself
+    other = (*QUANTITIES, "within") if "file" in given else FILE
+    if strange := [name for name in other if name in given]:
+        kind = "with" if "file" in given else "without"
+        raise ValueError(f"{where}: {strange[0]} cannot be given {kind} file")
+    if "rpm" in given and "nominal" in given:
+        raise ValueError(f"{where}: give rpm, the true speed, or nominal, not both")
     values = {name: _number(given[name], f"{where}: {name}", -1e7, 1e7) for name in point_keys}
+    if "rpm" in values and not values["rpm"] > 0:
+        raise ValueError(f"{where}: rpm {values['rpm']:g} must be positive")
     if "file" in given:
         return _from_file(given, values, where, bearing, folder)
-    if not values["rpm"] > 0:
-        raise ValueError(f"{where}: rpm {values['rpm']:g} must be positive")
     said = [name for name in QUANTITIES if name in given]
     if len(said) != 1:
         raise ValueError(f"{where}: must have one of {', '.join(QUANTITIES)}, has {len(said)}")
-    value = _number(given[said[0]], f"{where}: {said[0]}", -1e3, 1e6)
+    value = _number(given[said[0]], f"{where}: {said[0]}", *POSSIBLE.get(said[0], LINE))
     if "within" not in given:
         raise ValueError(f"{where}: within, its standard deviation, is missing")
     within = _number(given["within"], f"{where}: within", 1e-30, 1e6)
@@ -157,6 +167,7 @@ def _reading(row: Any, where: str, bearing: Path, folder: Path) -> list[Reading]
 
 def _from_file(given, values, where, bearing, folder) -> list[Reading]:
     """A line of a recording, with its order and uncertainty from the signal."""
+    _names(given, ("file", "line", "channel"), f"{where}: ")
     rate, nominal = (
         _number(given[key], f"{where}: {key}", 1, 1e8) if key in given else None
         for key in ("rate", "nominal")
@@ -196,6 +207,12 @@ def _only(given, names, where):
     if strange := [name for name in given if name not in names]:
         said = f"{strange[0]} is not one of {', '.join(names)}"
         raise ValueError(f"{where}: {said}" if where else said)
+
+
+def _names(given, keys, where=""):
+    for key in keys:
+        if isinstance(given.get(key), (dict, list)):
+            raise ValueError(f"{where}{key} must be one name")
 
 
 def _number(value, where, low, high):
@@ -239,6 +256,7 @@ def series(path: FilePath, inputs_folder: FilePath | None = None) -> Series:
         own = {name: data.pop(name, None) for name in ("series", "within", "drift")}
         if missing := [name for name in ("series", "within") if not own[name]]:
             raise ValueError(f"{missing[0]} is missing")
+        _names(own, ("series",))
         within = _mapping(own["within"], "within")
         _only(within, QUANTITIES, "within")
         known = ("time_s", *Point._fields, *QUANTITIES)
