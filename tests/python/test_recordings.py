@@ -272,6 +272,7 @@ def test_a_nominal_speed_is_not_the_true_one(tmp_path, bearing, capsys):
         found = recording.Recording(tmp_path / "a.npz", bearing, rate=RATE, **words)
         one = orders.of_recording(found)["BPFO"]
         assert found.speed_from == source
+        assert found.title.endswith("1800 rpm nominal" if source == "nominal" else "1800 rpm")
         assert share * one.value <= one.uncertainty <= (share + 2e-3) * one.value
 
 

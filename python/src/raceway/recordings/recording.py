@@ -129,10 +129,11 @@ class Recording:
 
     @property
     def title(self) -> str:
-        """File, bearing, load and speed in one line."""
+        """File, bearing, load and speed in one line, with a note if the speed is only nominal."""
         known = [] if math.isnan(self.load) else [f"{prefixed(self.load, 'N', 3)} radial"]
         parts = (Path(self.where).name, f"{self._name} ball bearing".strip(), *known)
-        return "  ·  ".join((*parts, f"{self.rpm:.5g} rpm"))
+        note = " nominal" if self.speed_from == "nominal" else ""
+        return "  ·  ".join((*parts, f"{self.rpm:.5g} rpm{note}"))
 
     def signal(self, name: str = "", ring: str = "") -> Signal:
         """`Signal` of the channel `name`, by default the first channel. Raises `RunError` for an
