@@ -38,7 +38,8 @@ REACH = 6.0  # range of the search for the entry, in times from first sign to en
 FOLDS = 4  # samples in a bin of the folded record
 FEWEST = 32  # samples around an impact
 # Hz, rate of a signal behind its sensor's filter: in runs of a 6206 under 800 N, spalls of 1 to
-# 2.5 mm read up to 6 % too short at 64 kHz, and all read about 1 mm at 48 kHz
+# 2.5 mm read up to 6 % too short at 64 kHz, and all read about 1 mm at 48 kHz (docs/tutorial_spall:
+# 1 mm in a 6205 reads 13 % too short at 64 kHz)
 SLOWEST = 60e3
 
 
