@@ -226,7 +226,7 @@ def test_spectrum_of_a_sweep(capsys, tmp_path):
         lives[rating] = found["life_reference_Mrev"]
         assert lives[rating] == pytest.approx((rating / mean) ** 3, rel=1e-12)
         assert found["rpm_mean"] == pytest.approx(1950)
-        assert [one["load"] for one in found["points"]] == [2000, 5000]
+        assert [one["load_N"] for one in found["points"]] == [2000, 5000]
 
 
 @pytest.mark.parametrize(

@@ -136,7 +136,8 @@ def of_points(
         found = figures(duty)
         if LIFE not in found:
             raise InputError("the bearing's file states no load ratings: give --C")
-        points.append(duty._asdict() | {key: found[key] for key in KEYS})
+        names = {"load_N": duty.load, "axial_N": duty.axial, "rpm": duty.rpm, "share": duty.share}
+        points.append(names | {key: found[key] for key in KEYS})
     times = np.array([duty.share for duty in duties])
     turns = times * [duty.rpm for duty in duties]
     rpm = float(turns.sum() / times.sum())
@@ -166,7 +167,7 @@ def table(found: Mapping[str, Any]) -> str:
         parts = (one["share"] / whole, one["revolutions_share"], one["damage_share"])
         rows.append(
             [
-                *(prefixed(one[key], "N") for key in ("load", "axial")),
+                *(prefixed(one[key], "N") for key in ("load_N", "axial_N")),
                 f"{one['rpm']:g}",
                 *(f"{100 * part:.3g} %" for part in parts),
                 prefixed(one["equivalent_load_N"], "N"),
