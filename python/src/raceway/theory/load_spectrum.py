@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from raceway.errors import InputError
+from raceway.errors import InputError, RacewayError
 from raceway.files import FilePath
 from raceway.theory import life
 from raceway.units import prefixed
@@ -129,11 +129,15 @@ def of_points(
     """Figures by name for the spectrum `duties`, SI units; `points` has the figures of each point.
 
     `figures` returns the figures of a point (`operating_point.figures`). Raises `InputError` if the
-    figures include no life because the bearing has no rating.
+    figures include no life because the bearing has no rating, and with the number of a point that
+    has no figures.
     """
     points: list[dict[str, Any]] = []
-    for duty in duties:
-        found = figures(duty)
+    for number, duty in enumerate(duties, 1):
+        try:
+            found = figures(duty)
+        except RacewayError as error:
+            raise InputError(f"point {number} of the spectrum: {error}") from None
         if LIFE not in found:
             raise InputError("the bearing's file states no load ratings: give --C")
         names = {"load_N": duty.load, "axial_N": duty.axial, "rpm": duty.rpm, "share": duty.share}
