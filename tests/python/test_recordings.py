@@ -281,6 +281,20 @@ def test_no_speed_from_what_is_no_shaft(bearing):
     time = np.arange(48000) / RATE
     noise = np.random.default_rng(5).normal(size=len(time))
     assert shaft_speed.find(np.sin(2 * np.pi * 60 * time) + 0.1 * noise, 1 / RATE, 29.9) is None
+    hum = sum(np.sin(2 * np.pi * n * 60 * time + n) / n for n in (1, 2, 3))
+    assert shaft_speed.find(hum + 0.1 * noise, 1 / RATE, 29.9) is None
+
+
+@pytest.mark.parametrize("hum", [0.05, 0.5])
+def test_harmonics_of_the_mains_are_not_the_shaft(hum):
+    """The harmonics of 60 Hz are even harmonics of 1800 rpm, next to those of a motor at 1787 rpm:
+    the speed of the motor is found."""
+    time = np.arange(4 * int(RATE)) / RATE
+    shaft = sum(np.sin(2 * np.pi * n * 1787 / 60 * time + n) / n for n in (1, 2, 3))
+    mains = sum(np.sin(2 * np.pi * n * 60 * time + n) / n for n in (1, 2, 3))
+    noise = np.random.default_rng(5).normal(size=len(time))
+    found = shaft_speed.find(shaft + hum * mains + 0.1 * noise, 1 / RATE, 1797 / 60)
+    assert abs(60 * found.hertz - 1787) < 3 * 60 * found.uncertainty < 0.5
 
 
 @pytest.mark.parametrize(

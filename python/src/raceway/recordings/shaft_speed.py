@@ -31,7 +31,9 @@ class Speed(NamedTuple):
 
 def find(values: ArrayLike, sample_s: float, nominal: float, within: float = NEAR) -> Speed | None:
     """`Speed` of the shaft in evenly sampled `values` (N,), `sample_s` apart, at most `within`
-    (relative) from the `nominal` speed in Hz; None if fewer than two harmonics agree.
+    (relative) from the `nominal` speed in Hz; None if fewer than two harmonics agree. Harmonics
+    with a common factor, such as the second, fourth and sixth, belong to another fundamental, often
+    the mains frequency, and are not a shaft's.
 
     >>> time = np.arange(120000) / 12000
     >>> tone = sum(np.sin(2 * np.pi * n * 29.53 * time + n) / n for n in (1, 2, 3))
@@ -39,12 +41,12 @@ def find(values: ArrayLike, sample_s: float, nominal: float, within: float = NEA
     >>> print(f"{find(tone + 0.1 * mains, 1 / 12000, 29.7).hertz:.3f} Hz")
     29.530 Hz
     """
-    places, widths = _lines(np.asarray(values, float), sample_s, nominal, within)
+    places, widths, numbers = _lines(np.asarray(values, float), sample_s, nominal, within)
     best: tuple[float, np.ndarray] = 0.0, np.zeros(0, bool)
     for place, width in zip(places, widths):
         near = np.abs(places - place) <= np.hypot(widths, width)
         weight = float((1 / widths[near] ** 2).sum())
-        if near.sum() > 1 and weight > best[0]:
+        if near.sum() > 1 and np.gcd.reduce(numbers[near]) == 1 and weight > best[0]:
             best = weight, near
     weight, near = best
     if not near.any():
@@ -56,9 +58,9 @@ def find(values: ArrayLike, sample_s: float, nominal: float, within: float = NEA
     return Speed(mean, float(np.hypot(fine, scatter / np.sqrt(near.sum()))), int(near.sum()))
 
 
-def _lines(values, sample_s, nominal, within) -> tuple[Floats, Floats]:
-    """Shaft speeds (N,) in Hz from the harmonics found in the signal and its envelope, and the
-    widths (N,) in Hz within which two of them count as equal."""
+def _lines(values, sample_s, nominal, within) -> tuple[Floats, Floats, np.ndarray]:
+    """Shaft speeds (N,) in Hz from the harmonics found in the signal and its envelope, the widths
+    (N,) in Hz within which two of them count as equal, and the numbers (N,) of the harmonics."""
     spectra = [spectrum.spectrum(values, sample_s)]
     try:
         band = envelope.best_band(values, sample_s, 8 * nominal)
@@ -66,11 +68,12 @@ def _lines(values, sample_s, nominal, within) -> tuple[Floats, Floats]:
         spectra.append(spectrum.spectrum(held, sample_s))
     except ValueError:
         pass  # the sampling rate is too low for an envelope
-    places, widths = [], []
+    places, widths, numbers = [], [], []
     for one in spectra:
         for n in range(1, HARMONICS + 1):
             hertz, *_, note = spectrum.find(one, n * nominal, within)
             if not note:
                 places.append(hertz / n)
                 widths.append(AGREE * one.attrs["resolution"] / n)
-    return np.array(places), np.array(widths)
+                numbers.append(n)
+    return np.array(places), np.array(widths), np.array(numbers, int)
