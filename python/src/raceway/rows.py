@@ -91,9 +91,14 @@ def lines(
     return result[1:]
 
 
-def several(results: Sequence[Mapping[str, Any]], columns: Sequence[tuple[str, str, float]]) -> str:
+def several(
+    results: Sequence[Mapping[str, Any]],
+    columns: Sequence[tuple[str, str, float]],
+    optional: Collection[str] = (),
+) -> str:
     """Several mappings of figures as text, one line each, and their warnings; `columns` are keys,
-    headings and factors."""
+    headings and factors. A column of `optional` keys is left out if it is 0 in all lines."""
+    columns = [c for c in columns if c[0] not in optional or any(one[c[0]] for one in results)]
     rows = [[heading for _, heading, _ in columns]]
     rows += [[_plain(one.get(key), scale) for key, _, scale in columns] for one in results]
     widths = [max(map(len, column)) for column in zip(*rows)]

@@ -74,7 +74,9 @@ TOPICS = {
 }
 COLUMNS = (  # of the table of several points: key, heading, scale
     ("load_N", "load N", 1),
+    ("axial_N", "axial N", 1),
     ("rpm", "rpm", 1),
+    ("clearance_m", "cold P_d µm", 1e6),
     ("temperature_C", "T °C", 1),
     ("viscosity_Pa_s", "eta mPa s", 1e3),
     ("clearance_warm_m", "P_d µm", 1e6),
@@ -453,4 +455,4 @@ def table(result: Mapping[str, Any]) -> str:
 
 def curves(results: list[dict[str, Any]]) -> str:
     """Several results of `figures` as text, one line each."""
-    return several(results, COLUMNS)
+    return several(results, COLUMNS, optional=("axial_N", "clearance_m"))
