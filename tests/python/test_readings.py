@@ -3,6 +3,7 @@
 
 import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -218,6 +219,10 @@ def test_command(tmp_path, capsys):
     assert main(["identify", path]) == 0
     said = capsys.readouterr().out
     assert "-var bearing 6205 -var lubricant vg68 -var models full -var rpm 1797" in said
+    own = tmp_path / "mine"
+    own.write_text(Path("inputs/bearings/6205").read_text())
+    assert main(["identify", str(write(tmp_path, GOOD.replace("6205", str(own))))]) == 0
+    assert f"-var bearing {own} -var lubricant vg68" in capsys.readouterr().out
     row = "\n  - {rpm: 1797, BPFO: 3.55, within: 1e-4}"
     assert main(["identify", str(write(tmp_path, GOOD.rstrip() + row)), "--json"]) == 0
     said = json.loads(capsys.readouterr().out)

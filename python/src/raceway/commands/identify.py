@@ -191,10 +191,22 @@ def deck(given: "Readings", found: "Found") -> str:
         state[name] = (state[name] if own is None else own) + more
     if point.at is not None:
         state["temperature"] = point.at
-    words = {"bearing": given.bearing.name, "lubricant": given.lubricant.name}
+    words = {
+        "bearing": _word(given.bearing, "bearings"),
+        "lubricant": _word(given.lubricant, "lubricants"),
+    }
     words |= {"models": given.models, "rpm": f"{point.rpm:.8g}"}
     words |= {name: f"{state[name]:.6g}" for name in DECK if name in state}
     return " ".join(f"-var {name} {value}" for name, value in words.items())
+
+
+def _word(path, kind):
+    """The name of a data file of a `kind` in the decks' folder, otherwise its path."""
+    from raceway import catalogue
+
+    if path.parent == catalogue.folder() / kind:
+        return path.name
+    return str(path) if path.parent.name else f"./{path}"
 
 
 def text(given: "Readings", found: "Found") -> str:
