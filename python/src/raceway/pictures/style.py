@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Style of all pictures: colours, fonts, saving."""
 
+from pathlib import Path
+
 import matplotlib
 from matplotlib.figure import Figure
 
@@ -48,10 +50,14 @@ REGIMES = (
 )
 
 
+FORMATS = {".pdf": "pdf", ".svg": "svg"}  # of pictures, by the ending of the name; others are PNG
+
+
 def save(figure: Figure, path: FilePath) -> None:
-    """Write `figure` to the PNG `path` and close it. Raises `RunError` if that
-    fails."""
+    """Write `figure` to `path`, as PDF or SVG if its name ends so and as PNG otherwise, and close
+    it. Raises `RunError` if that fails."""
     try:
-        files.whole(path, lambda part: figure.savefig(part, format="png", facecolor="white"))
+        kind = FORMATS.get(Path(path).suffix.lower(), "png")
+        files.whole(path, lambda part: figure.savefig(part, format=kind, facecolor="white"))
     finally:
         plt.close(figure)
