@@ -276,6 +276,17 @@ def test_a_nominal_speed_is_not_the_true_one(tmp_path, bearing, capsys):
         assert share * one.value <= one.uncertainty <= (share + 2e-3) * one.value
 
 
+def test_angle_of_a_four_point_contact_bearing(tmp_path, capsys):
+    """Its lines are those at the angle of its grooves."""
+    columns(tmp_path / "a.csv", struck(seconds=0.5))
+    words = ["measured", str(tmp_path / "a.csv"), "--rpm", "1800", "--bearing", "QJ208", "--json"]
+    said = []
+    for more in ([], ["--angle", "35"]):
+        assert main([*words, *more]) == 0
+        said.append([one["order"] for one in json.loads(capsys.readouterr().out)["lines"]])
+    assert said[0] == pytest.approx(said[1], rel=1e-12)
+
+
 def test_no_speed_from_what_is_no_shaft(bearing):
     """Neither mains hum near the second harmonic nor noise gives a speed."""
     time = np.arange(48000) / RATE
