@@ -163,6 +163,13 @@ def test_separators(tmp_path, bearing, mark, head, names):
     assert found.signal().values == pytest.approx(values, rel=1e-8)
 
 
+def test_decimal_commas_without_one_in_the_last_line(tmp_path, bearing):
+    (tmp_path / "a.csv").write_text("# v. 2\nt;a.u.\n0,0;1,5\n0,5;-2,5\n1;3\n")
+    found = recording.Recording(tmp_path / "a.csv", bearing, rpm=1800)
+    (one,) = found.channels.values()
+    assert one.rate == 2 and one.values.tolist() == [1.5, -2.5, 3]
+
+
 @pytest.mark.parametrize(
     "name, unit_s, index",
     [

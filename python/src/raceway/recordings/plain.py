@@ -108,9 +108,9 @@ def _separator(path):
 
 
 def _commas(path):
-    """True if numbers have decimal commas, that is, if the last line has a comma and no point."""
-    last = path.read_text(encoding="utf-8").rstrip().rpartition("\n")[2]
-    return "," in last and "." not in last
+    """True if numbers have decimal commas: below the first line there are commas and no points."""
+    body = re.sub("#.*", "", path.read_text(encoding="utf-8")).strip().partition("\n")[2]
+    return "," in body and "." not in body
 
 
 def _rate(path, time):
