@@ -69,7 +69,10 @@ def comments(path: FilePath) -> dict[str, str]:
 
 
 def _matches(path, pattern):
-    return dict(m.groups() for m in map(pattern.match, text(path).splitlines()) if m)
+    # the last of equal keys counts in a dict, but the first of equal variables counts in a deck
+    lines = reversed(text(path).splitlines())
+    found = dict(m.groups() for m in map(pattern.match, lines) if m)
+    return dict(reversed(found.items()))
 
 
 def numbers(path: FilePath, *names: str) -> dict[str, float]:
