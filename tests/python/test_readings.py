@@ -202,6 +202,10 @@ def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
     with pytest.raises(SystemExit, match="2"):
         main(["identify", "readings.yaml", "--load", "5"])
     assert "--load is for --lines" in capsys.readouterr().err
+    for option, value in {"bearing": "6208", "lubricant": "vg46", "within": "2e-4"}.items():
+        with pytest.raises(SystemExit, match="2"):
+            main(["identify", "readings.yaml", f"--{option}", value])
+        assert f"--{option} is for --lines: a FILE states it itself" in capsys.readouterr().err
 
 
 def test_loads_that_no_state_carries_are_left_out(tmp_path):

@@ -86,6 +86,7 @@ def add(commands: Commands) -> None:
     options.bearing(lines)
     options.lubricant(lines)
     options.models(lines, STATICS, "films and cage speed")
+    defaults = {name: lines.get_default(name) for name in ("bearing", "lubricant", "models")}
     lines.add_argument(
         "--load", type=number(0, 1e6, "N"), metavar="N", help="radial load, newtons (unknown)"
     )
@@ -98,12 +99,13 @@ def add(commands: Commands) -> None:
     lines.add_argument(
         "--within",
         type=number(1e-6, 0.1, ""),
-        default=WITHIN,
         metavar="SHARE",
-        help="relative standard deviation of a line (%(default)s)",
+        help=f"relative standard deviation of a line ({WITHIN:g})",
     )
     one.add_argument("--json", action="store_true", help="one JSON object instead of text")
-    one.set_defaults(command=run, complain=one.error)
+    # None shows an option that was not given
+    defaults["within"] = WITHIN
+    one.set_defaults(command=run, complain=one.error, of_lines=defaults, **dict.fromkeys(defaults))
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -117,17 +119,21 @@ def run(arguments: argparse.Namespace) -> None:
         for name in ("load", "temperature"):
             if getattr(arguments, name) is not None:
                 arguments.complain(f"--{name} is for --lines: a FILE lists it under `known`")
+        for name in arguments.of_lines:
+            if getattr(arguments, name) is not None:
+                arguments.complain(f"--{name} is for --lines: a FILE states it itself")
         given = readings.read(arguments.file, arguments.inputs)
     else:
+        words = {
+            name: default if getattr(arguments, name) is None else getattr(arguments, name)
+            for name, default in arguments.of_lines.items()
+        }
         given = line_table.read(
             arguments.lines,
-            arguments.bearing,
-            lubricant=arguments.lubricant,
-            models=arguments.models,
             load=arguments.load,
             temperature=arguments.temperature,
-            within=arguments.within,
             inputs_folder=arguments.inputs,
+            **words,
         )
     found = identify(given)
     if arguments.json:
