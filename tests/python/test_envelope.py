@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import raceway
 import synthetic
+import xarray as xr
 from raceway import envelope, kinematics, spectrum
 from raceway.cli import main
 from raceway.errors import RunError
@@ -39,7 +40,9 @@ def noisy():
 
 
 def test_the_band_is_where_it_rings(noisy):
-    low, high, kurtosis = envelope.best_band(noisy, 1 / RATE, narrowest=400)
+    found = envelope.best_band(xr.DataArray(noisy, dims="time"), 1 / RATE, narrowest=400)
+    assert found == envelope.best_band(noisy, 1 / RATE, narrowest=400)
+    low, high, kurtosis = found
     assert low < RING < high and high - low >= 400
     assert kurtosis > 10 * 2 / np.sqrt(len(TIME) * (high - low) / RATE)  # ten times that of noise
 

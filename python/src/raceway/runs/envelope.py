@@ -85,7 +85,8 @@ def bands(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> list[Ba
 def best_band(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> Band:
     """The most impulsive of `bands`. Raises `ValueError` if there are too few values for a band, or
     if they are constant."""
-    if np.size(values) and np.ptp(values) <= CONSTANT * np.abs(values).max():
+    values = np.asarray(values, float)
+    if values.size and np.ptp(values) <= CONSTANT * np.abs(values).max():
         raise ValueError("the signal is constant")
     found = bands(values, sample_s, narrowest)
     if not found:
