@@ -167,4 +167,5 @@ def test_create_bearing_below_hybrid(tmp_path):
 @pytest.mark.parametrize("host", EVERYWHERE)
 def test_minimize(tmp_path, host):
     end = outcome(tmp_path, BEARING + "thermo_style one\nminimize 1e-4 1e-6 10 100\n", host)
-    assert end.code != 0 and "cannot minimize, because its forces depend on speeds" in end.error, end.text
+    assert end.code != 0, end.text
+    assert "cannot minimize, because its forces depend on speeds" in end.error

@@ -90,6 +90,11 @@ def test_threshold_is_where_the_field_is_the_strength(point):
     assert found["stored_energy_J"] == pytest.approx(
         film_voltage.stored_energy(found["capacitance_total_F"], found["threshold_V"])
     )
+    motor = electric_point.figures(point, Ask(strength=20e6, motor=(50e-12, 1e-9)))
+    everything = 50e-12 / motor["bearing_voltage_ratio"]  # on the shaft, with two bearings
+    assert motor["stored_energy_J"] == pytest.approx(
+        film_voltage.stored_energy(everything, found["threshold_V"])
+    )
     rough = electric_point.figures(point, Ask(voltage=found["threshold_peaks_V"], strength=20e6))
     assert rough["field_peaks_V_m"] == pytest.approx(20e6)
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import raceway
 import synthetic
+import xarray as xr
 from raceway import envelope, kinematics, spectrum
 from raceway.cli import main
 from raceway.errors import RunError
@@ -40,7 +41,9 @@ def noisy():
 
 
 def test_the_band_is_where_it_rings(noisy):
-    low, high, kurtosis = envelope.best_band(noisy, 1 / RATE, narrowest=400)
+    found = envelope.best_band(xr.DataArray(noisy, dims="time"), 1 / RATE, narrowest=400)
+    assert found == envelope.best_band(noisy, 1 / RATE, narrowest=400)
+    low, high, kurtosis = found
     assert low < RING < high and high - low >= 400
     assert kurtosis > 10 * 2 / np.sqrt(len(TIME) * (high - low) / RATE)  # 10 times that of noise
 
@@ -80,8 +83,11 @@ def test_mistakes():
         envelope.of_values(TIME, 1 / RATE, 3e4, 4e4)
     with pytest.raises(ValueError, match="100 values, .* too few to find a band"):
         envelope.best_band(TIME[:100], 1 / RATE)
-    with pytest.raises(ValueError, match="5000 values are all the same"):
-        envelope.best_band([0.1] * 5000, 1 / RATE)
+    with pytest.raises(ValueError, match="band 4000 to 3000 Hz: the first must be below"):
+        envelope.of_values(TIME, 1 / RATE, 4e3, 3e3)
+    for value in (0.0, 5.1):
+        with pytest.raises(ValueError, match="the signal is constant"):
+            envelope.best_band(np.full(len(TIME), value), 1 / RATE)
 
 
 @pytest.fixture(scope="module")

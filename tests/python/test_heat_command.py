@@ -95,6 +95,20 @@ def test_no_steady_state():
         heat_scene.one_node(scene(rpm=9549.0), 0.05, 20.0, 0.0)
 
 
+@pytest.mark.parametrize("command", ["heat", "electric", "static"])
+def test_lines_of_several_points_name_their_axial_load(capsys, command):
+    """Without an axial load the tables of heat and electric have no such column."""
+    words = [command, "--load", "900", "--rpm", "2000", "--lubricant", "vg46", "--axial"]
+    assert main([*words, "100", "300"]) == 0
+    head, *rows = capsys.readouterr().out.splitlines()
+    assert head.split("  ")[:2] == ["load N", "axial N"]
+    assert [row.split()[:2] for row in rows[:2]] == [["900", "100"], ["900", "300"]]
+    assert main([*words, "0", "--clearance", "0", "20um"]) == 0
+    head = capsys.readouterr().out.splitlines()[0]
+    assert ("axial N" in head) == (command == "static")
+    assert ("cold P_d" in head) == (command == "heat")
+
+
 def test_command(capsys):
     assert main(["heat", "--load", "5000", "--rpm", "1910", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)

@@ -13,7 +13,7 @@ def test_values(tmp_path):
     path = tmp_path / "data"
     path.write_text(
         "# variable no index 1\nvariable film index film\n  variable  a index\t1.0e-7 # m\nvariable"
-        " b equal 2\n"
+        " b equal 2\nvariable a index 3 # ignored, as in a deck\n"
     )
     assert inputs.values(path) == {"film": "film", "a": "1.0e-7"}
 
@@ -75,4 +75,7 @@ def test_bad_bearing(tmp_path):
     path = tmp_path / "bearing"
     path.write_text((ROOT / "inputs/bearings/6208").read_text().replace("6.552e-3", "6.2e-3"))
     with pytest.raises(inputs.InputError, match="conformal"):
+        inputs.bearing(path)
+    path.write_text((ROOT / "inputs/bearings/6208").read_text().replace("index 9  ", "index 16  "))
+    with pytest.raises(inputs.InputError, match="overlapping balls: 16 balls of diameter 0.0126 m"):
         inputs.bearing(path)

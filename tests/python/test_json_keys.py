@@ -25,6 +25,7 @@ PLAIN = set(
     metallic_contacts metallic_share samples bearing_voltage_ratio bearing_voltage_ratio_min
     bearing_voltage_ratio_max bearing_voltage_ratio_mean floor_share discharges discharges_per_s
     full_discharges failed_inner failed_outer balls harmonic order difference prominence values
+    share revolutions_share damage_share
     kurtosis chi_squared idle_balls residual""".split()
 )
 READINGS = """bearing: 6205
@@ -40,6 +41,8 @@ readings:
 def words(folder, tmp_path, twin):
     """Return lists of arguments for each command that has --json."""
     (tmp_path / "readings.yaml").write_text(READINGS)
+    duties = tmp_path / "duties.csv"
+    duties.write_text("load,axial,rpm,share\n900,300,3000,1\n")
     path, rate = test_compare.write(tmp_path, twin)
     run, file = str(folder), [str(path), "--rpm", "477.5", "--rate", str(rate)]
     motor = "--motor 50e-12 1e-9 --common-mode 560 300 50 0.8 --strength 30e6 --arc 5".split()
@@ -47,7 +50,7 @@ def words(folder, tmp_path, twin):
     return {
         "summary": [[run]],
         "spectrum": [[run], [str(twin.tables.folder), "--envelope"]],
-        "static": [[*point, "--lubricant", "vg46"], ["--load", "900"]],
+        "static": [[*point, "--lubricant", "vg46"], ["--load", "900"], ["--spectrum", str(duties)]],
         "heat": [point],
         "shaft": [["inputs/shafts/motor"]],
         "catalogue": [["6208", "--clearances"]],

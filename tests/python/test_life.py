@@ -208,6 +208,9 @@ def test_load_spectrum(capsys, tmp_path):
     assert sum(point["damage_share"] for point in mixed["points"]) == pytest.approx(1)
     assert cli.main(common) == 0
     assert "equivalent load" in capsys.readouterr().out
+    path.write_text("load,rpm\n2000,1500\n0,1500\n")
+    assert cli.main(common) == 1
+    assert "point 2 of the spectrum: without a load" in capsys.readouterr().err
 
 
 SWEPT = "point,status,load,share,equivalent_load_N,life_reference_Mrev,dynamic_rating_N,rpm\n"
@@ -230,7 +233,7 @@ def test_spectrum_of_a_sweep(capsys, tmp_path):
         lives[rating] = found["life_reference_Mrev"]
         assert lives[rating] == pytest.approx((rating / mean) ** 3, rel=1e-12)
         assert found["rpm_mean"] == pytest.approx(1950)
-        assert [one["load"] for one in found["points"]] == [2000, 5000]
+        assert [one["load_N"] for one in found["points"]] == [2000, 5000]
 
 
 @pytest.mark.parametrize(

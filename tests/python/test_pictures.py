@@ -51,6 +51,13 @@ def test_kinds(folder, capsys, kind):
     assert path.stat().st_size < 300_000
 
 
+@pytest.mark.parametrize("end, start", [(".pdf", b"%PDF"), (".SVG", b"<?xml"), ("", b"\x89PNG")])
+def test_format_by_the_ending_of_the_name(folder, tmp_path, end, start):
+    path = tmp_path / f"a{end}"
+    assert main(["plot", str(folder), "--kind", "polar", "--out", str(path)]) == 0
+    assert path.read_bytes().startswith(start)
+
+
 @pytest.mark.parametrize("kind", ["polar", "bearing"])
 def test_dry(dry_folder, kind):
     assert main(["plot", str(dry_folder), "--kind", kind]) == 0

@@ -4,6 +4,7 @@ command."""
 
 import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -35,6 +36,7 @@ def write(tmp_path, text=GOOD):
     [
         ("bearing: 6205", "", "bearing is missing"),
         ("bearing: 6205", "bearing: 62055", "there is no bearing '62055'"),
+        ("bearing: 6205", "bearing: [6205]", "bearing must be one name"),
         ("bearing: 6205", "bearings: 6205", "bearings is not one of bearing, lubricant"),
         ("vg68", "vg68\nmodels: fuller", "models 'fuller' is not one of paper, full, eyring"),
         ("load: 10", "load: ten", "known: load: 'ten' is not a number"),
@@ -50,6 +52,11 @@ def write(tmp_path, text=GOOD):
         ("BPFO: 3.5972", "BPFO: 3.5972, BPFI: 5.4", "has 2"),
         ("BPFO", "BPF", "BPF is not one of rpm"),
         ("BPFO: 3.5972, within: 2e-4", "file: none.mat", "there is no file"),
+        ("BPFO: 3.5972", "file: none.mat", "within cannot be given with file"),
+        ("within: 2e-4", "within: 2e-4, line: BPFO", "line cannot be given without file"),
+        ("BPFO: 3.5972, within: 2e-4", "file: none.mat, nominal: 1800", "rpm, the true speed, or"),
+        ("BPFO: 3.5972, within: 2e-4", "file: [none.mat]", "file must be one name"),
+        ("BPFO: 3.5972", "capacitance: 25", "capacitance: 25 must lie between 0 and 1e-06"),
     ],
 )
 def test_mistakes(tmp_path, old, new, says):
@@ -89,6 +96,9 @@ def test_a_line_of_a_recording(tmp_path):
     assert abs(one.value - order) < 3 * one.within < 1e-3
     with pytest.raises(RacewayError, match="has no line BPFI; it has BPFO"):
         readings.read(write(tmp_path, path.read_text().replace("line: BPFO", "line: BPFI")))
+    np.savez(tmp_path / "1797_OR@6_7_DE48.npz", DE=noise)
+    with pytest.raises(RacewayError, match="no lines of the shaft near 1797 rpm: give its true"):
+        readings.read(path)
 
 
 def test_an_error_of_the_cage_is_common_to_its_lines():
@@ -193,6 +203,10 @@ def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
     with pytest.raises(SystemExit, match="2"):
         main(["identify", "readings.yaml", "--load", "5"])
     assert "--load applies to --lines" in capsys.readouterr().err
+    for option, value in {"bearing": "6208", "lubricant": "vg46", "within": "2e-4"}.items():
+        with pytest.raises(SystemExit, match="2"):
+            main(["identify", "readings.yaml", f"--{option}", value])
+        assert f"--{option} applies to --lines: a FILE states it itself" in capsys.readouterr().err
 
 
 def test_loads_that_no_state_carries_are_left_out(tmp_path):
@@ -211,6 +225,10 @@ def test_command(tmp_path, capsys):
     assert main(["identify", path]) == 0
     said = capsys.readouterr().out
     assert "-var bearing 6205 -var lubricant vg68 -var models full -var rpm 1797" in said
+    own = tmp_path / "mine"
+    own.write_text(Path("inputs/bearings/6205").read_text())
+    assert main(["identify", str(write(tmp_path, GOOD.replace("6205", str(own))))]) == 0
+    assert f"-var bearing {own} -var lubricant vg68" in capsys.readouterr().out
     row = "\n  - {rpm: 1797, BPFO: 3.55, within: 1e-4}"
     assert main(["identify", str(write(tmp_path, GOOD.rstrip() + row)), "--json"]) == 0
     said = json.loads(capsys.readouterr().out)

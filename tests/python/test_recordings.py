@@ -11,6 +11,7 @@ import synthetic
 from raceway import envelope, inputs, passages, recording, shaft_speed, spectrum
 from raceway.cli import main
 from raceway.errors import RunError
+from raceway.recordings import orders
 from raceway.recordings.contents import GRAVITY, POUND
 from scipy import io
 from scipy.io import wavfile
@@ -51,6 +52,12 @@ def mfpt(path, values):
     x = values[:, None] / GRAVITY
     io.savemat(path, {"bearing": {"sr": RATE, "gs": x, "load": 100, "rate": 30}})
     return {}
+
+
+def told(path, name, value):
+    """A file of MFPT with another `value` of one of its numbers."""
+    numbers = {"sr": RATE, "load": 100, "rate": 30, name: value}
+    io.savemat(path, {"bearing": {"gs": np.ones((64, 1)), **numbers}})
 
 
 def paderborn(path, values):
@@ -138,23 +145,91 @@ def test_the_true_speed_near_a_nominal_one(tmp_path, bearing, capsys):
         )
 
 
-@pytest.mark.parametrize("mark", [";", ";,", ",", "\t", "  "])
+@pytest.mark.parametrize("mark", [";", ";,", ",", "\t", "\t,", ",\t", "  "])
 @pytest.mark.parametrize("head", [True, False])
 @pytest.mark.parametrize("names", [["a_m_s2"], ["time_s", "a_m_s2", "b_g"]])
 def test_separators(tmp_path, bearing, mark, head, names):
     """Files may have one or more columns, with or without a heading, after a comment. Numbers have
-    decimal points or, if the separators are semicolons, decimal commas."""
+    decimal points or, if the separators are semicolons or tabs, decimal commas. Times without a
+    heading are not a channel."""
     values = struck(seconds=0.05)
     table = np.column_stack([np.arange(len(values)) / RATE, values, values])[:, -len(names) :]
-    mark, point = (";", "," if names[1:] else ".") if mark == ";," else (mark, ".")
+    mark, point = (mark[0], "," if names[1:] else ".") if mark[1:] == "," else (mark, ".")
     rows = [mark.join(f"{x:.9e}".replace(".", point) for x in row) for row in table]
     lines = [mark.join(names)] * head + rows
     (tmp_path / "a.csv").write_text("# a rig\n" + "\n".join(lines))
     rate = None if head and len(names) > 1 else RATE
     found = recording.Recording(tmp_path / "a.csv", bearing, rpm=60 * SHAFT, rate=rate)
-    wanted = names[-2:] if head else [f"column_{k + 1}" for k in range(len(names))]
+    wanted = names[-2:] if head else [f"column_{k + 1}" for k in range(len(names))][-2:]
     assert list(found.channels) == wanted
-    assert found.signal(wanted[0 if head else -1]).values == pytest.approx(values, rel=1e-8)
+    assert found.signal().values == pytest.approx(values, rel=1e-8)
+
+
+def test_decimal_commas_without_one_in_the_last_line(tmp_path, bearing):
+    (tmp_path / "a.csv").write_text("# v. 2\nt;a.u.\n0,0;1,5\n0,5;-2,5\n1;3\n")
+    found = recording.Recording(tmp_path / "a.csv", bearing, rpm=1800)
+    (one,) = found.channels.values()
+    assert one.rate == 2 and one.values.tolist() == [1.5, -2.5, 3]
+
+
+@pytest.mark.parametrize(
+    "name, unit_s, index",
+    [
+        ("Time (s)", 1, False),
+        ("time [ms]", 1e-3, False),
+        ("t_us", 1e-6, True),
+        ("Time", 1, True),
+        ("", 1, False),
+    ],
+)
+def test_times_and_numbers_of_rows(tmp_path, bearing, name, unit_s, index):
+    """The unit in the heading of the times counts, and numbers of rows are not a channel."""
+    rows = np.arange(4000)
+    table = np.column_stack([rows, rows / RATE / unit_s, np.cos(rows), -np.cos(rows)])
+    heads = ["", name, "a_g", "b"]
+    table, heads = (table, heads) if index else (table[:, 1:], heads[1:])
+    np.savetxt(tmp_path / "a.csv", table, delimiter=",", header=",".join(heads), comments="")
+    rate = None if name else RATE
+    found = recording.Recording(tmp_path / "a.csv", bearing, rpm=1800, rate=rate)
+    assert list(found.channels) == ["a_g", "b"]
+    assert 1 / found.signal().sample_s == pytest.approx(RATE, rel=1e-9)
+    assert found.signal().values == pytest.approx(GRAVITY * np.cos(rows), abs=1e-9)
+
+
+@pytest.mark.parametrize("digits", [9, 6, 3])
+def test_times_with_a_gap(tmp_path, bearing, digits):
+    """One missing row in a hundred thousand is reported, unless the times are rounded to more than
+    the gap; rounded times alone are accepted."""
+    rows = np.arange(100_000)
+    for keep in (rows, np.delete(rows, 70_000)):
+        table = np.column_stack([keep / RATE, np.cos(keep)])
+        np.savetxt(tmp_path / "a.csv", table, delimiter=",", header="t,a", fmt=f"%.{digits}f")
+        (tmp_path / "a.csv").write_text((tmp_path / "a.csv").read_text().removeprefix("# "))
+        if len(keep) == len(rows) or digits == 3:
+            found = recording.Recording(tmp_path / "a.csv", bearing, rpm=1800)
+            assert 1 / found.signal().sample_s == pytest.approx(RATE, rel=2e-4)
+        else:
+            with pytest.raises(RunError, match="gap after row 70000"):
+                recording.Recording(tmp_path / "a.csv", bearing, rpm=1800)
+
+
+WAV = [("i2", 32767, 0), ("i4", 2**31 - 1, 0), ("u1", 127, 128)]
+
+
+@pytest.mark.parametrize("kind, top, middle", WAV)
+def test_integers_of_a_wav_file(tmp_path, bearing, kind, top, middle):
+    """Full scale is 1, and silence is 0 even in files of 8 bits, which are unsigned."""
+    wave = np.sin(np.arange(200))
+    wavfile.write(tmp_path / "a.wav", 8000, np.round(wave * top + middle).astype(kind))
+    found = recording.Recording(tmp_path / "a.wav", bearing, rpm=1800)
+    assert found.signal().values == pytest.approx(wave, abs=1 / top)
+
+
+def test_a_long_file_with_a_heading(tmp_path, bearing, recwarn):
+    """No warning of pandas reaches the user."""
+    columns(tmp_path / "a.csv", np.tile(np.cos(np.arange(1000)), 300))
+    found = recording.Recording(tmp_path / "a.csv", bearing, rpm=1800)
+    assert len(found.signal().values) == 300_000 and not list(recwarn)
 
 
 def test_a_run_and_its_recording_are_one(tmp_path, lubricated):
@@ -190,11 +265,56 @@ def test_length_of_a_spall_in_a_recording(tmp_path, bearing):
     assert 1e3 * passages.of_run(of, "outer", "a").seconds == pytest.approx(2.0, abs=0.02)
 
 
+def test_a_nominal_speed_is_not_the_true_one(tmp_path, bearing, capsys):
+    """If no lines of the shaft are found, the speed is said to be nominal, and an order is as
+    uncertain as this speed."""
+    rng, time = np.random.default_rng(4), np.arange(int(2 * RATE)) / RATE
+    since = (ORDER * SHAFT * time) % 1 / (ORDER * SHAFT)
+    ringing = np.exp(-1500 * since) * np.sin(2 * np.pi * 4000 * since)
+    np.savez(tmp_path / "a.npz", a=ringing + 0.02 * rng.normal(size=len(time)))
+    words = ["measured", str(tmp_path / "a.npz"), "--bearing", "6205", "--rate", f"{RATE}"]
+    assert main([*words, "--nominal", "1800"]) == 0
+    assert "shaft 1800 rpm, nominal: the true speed is unknown" in capsys.readouterr().out
+    assert main([*words, "--rpm", "1800"]) == 0
+    assert "shaft 1800 rpm\n" in capsys.readouterr().out
+    for words, source, share in (({"nominal": 1800}, "nominal", 8e-3), ({"rpm": 1800}, "given", 0)):
+        found = recording.Recording(tmp_path / "a.npz", bearing, rate=RATE, **words)
+        one = orders.of_recording(found)["BPFO"]
+        assert found.speed_from == source
+        assert found.title.endswith("1800 rpm nominal" if source == "nominal" else "1800 rpm")
+        assert share * one.value <= one.uncertainty <= (share + 2e-3) * one.value
+
+
+def test_angle_of_a_four_point_contact_bearing(tmp_path, capsys):
+    """Its lines are those at the angle of its grooves."""
+    columns(tmp_path / "a.csv", struck(seconds=0.5))
+    words = ["measured", str(tmp_path / "a.csv"), "--rpm", "1800", "--bearing", "QJ208", "--json"]
+    said = []
+    for more in ([], ["--angle", "35"]):
+        assert main([*words, *more]) == 0
+        said.append([one["order"] for one in json.loads(capsys.readouterr().out)["lines"]])
+    assert said[0] == pytest.approx(said[1], rel=1e-12)
+
+
 def test_no_speed_from_what_is_no_shaft(bearing):
     """Neither mains hum near the second harmonic nor noise is mistaken for the shaft speed."""
     time = np.arange(48000) / RATE
     noise = np.random.default_rng(5).normal(size=len(time))
     assert shaft_speed.find(np.sin(2 * np.pi * 60 * time) + 0.1 * noise, 1 / RATE, 29.9) is None
+    hum = sum(np.sin(2 * np.pi * n * 60 * time + n) / n for n in (1, 2, 3))
+    assert shaft_speed.find(hum + 0.1 * noise, 1 / RATE, 29.9) is None
+
+
+@pytest.mark.parametrize("hum", [0.05, 0.5])
+def test_harmonics_of_the_mains_are_not_the_shaft(hum):
+    """The harmonics of 60 Hz are even harmonics of 1800 rpm, next to those of a motor at 1787 rpm:
+    the speed of the motor is found."""
+    time = np.arange(4 * int(RATE)) / RATE
+    shaft = sum(np.sin(2 * np.pi * n * 1787 / 60 * time + n) / n for n in (1, 2, 3))
+    mains = sum(np.sin(2 * np.pi * n * 60 * time + n) / n for n in (1, 2, 3))
+    noise = np.random.default_rng(5).normal(size=len(time))
+    found = shaft_speed.find(shaft + hum * mains + 0.1 * noise, 1 / RATE, 1797 / 60)
+    assert abs(60 * found.hertz - 1787) < 3 * 60 * found.uncertainty < 0.5
 
 
 @pytest.mark.parametrize(
@@ -203,7 +323,7 @@ def test_no_speed_from_what_is_no_shaft(bearing):
 def test_a_speed_that_is_only_nominal(tmp_path, capsys, words, nominal):
     columns(tmp_path / "a.csv", struck())
     assert main(["measured", str(tmp_path / "a.csv"), "--bearing", "6205", *words]) == 0
-    said = "rpm, nominal: no lines of the shaft near it agree"
+    said = "rpm, nominal: the true speed is unknown, because no lines of the shaft agree"
     assert (said in capsys.readouterr().out) == nominal
 
 
@@ -211,6 +331,10 @@ def test_a_speed_that_is_only_nominal(tmp_path, capsys, words, nominal):
     "name, write, words, says",
     [
         ("a.csv", None, {}, "there is no file"),
+        ("a.npz", lambda path: np.savez(path, a=np.ones(64) + 1j), {}, "not a row of numbers"),
+        ("a.mat", lambda path: told(path, "sr", "48k"), {}, "sr is not one number"),
+        ("a.mat", lambda path: told(path, "load", [1, 2]), {}, "load is not one number"),
+        ("a.mat", lambda path: told(path, "rate", []), {}, "speed of the shaft"),
         ("a.dat", lambda path: path.write_text("1"), {}, r"must end in \.mat"),
         ("a.mat", lambda path: path.write_text("nothing"), {}, "is not a MATLAB file"),
         ("a.mat", lambda path: io.savemat(path, {"A": 1}), {}, "has A: only X"),
@@ -220,7 +344,14 @@ def test_a_speed_that_is_only_nominal(tmp_path, capsys, words, nominal):
         ("a.npz", lambda path: np.savez(path, a=np.ones(64)), {}, "not state its sampling rate"),
         ("a.npz", lambda path: np.savez(path, a=np.ones(64)), {"rate": 1e3}, "speed of the shaft"),
         ("a.npz", lambda path: np.savez(path, a=[1, np.nan]), {}, "not finite"),
+        (
+            "130.mat",
+            lambda path: io.savemat(path, {"X130_DE_time": np.ones(64), "X130RPM": [1797, 1796]}),
+            {},
+            "X130RPM is not one number",
+        ),
         ("a.csv", lambda path: path.write_text("t,a\n0,1\n1,2\n5,3\n"), {}, "equal steps"),
+        ("a.csv", lambda path: path.write_text("t,a\n0,1\n2,2\n1,3\n3,4\n"), {}, "equal steps"),
         ("a.csv", lambda path: path.write_text("t,a\n0,1\n1,x\n2,3\n"), {}, "not a row of numbers"),
         ("acc_00001.csv", lambda path: path.write_text("1,2\n3,4\n"), {}, "has 2 columns"),
     ],

@@ -81,6 +81,9 @@ def test_a_warming_bearing(folder):
         ("BPFO", "BPF", "BPF is not one of"),
         ("clearance: 2e-6", "axial: 2", "drift: axial is not an unknown"),
         ("clearance: 2e-6", "clearance: -1", "drift: clearance: -1 must lie between"),
+        ("series: hours.csv", "series: [hours.csv]", "series must be one name"),
+        (FILE, "", "the file must be a map"),
+        (FILE, "- hours.csv", "the file must be a map"),
     ],
 )
 def test_mistakes(folder, capsys, old, new, says):

@@ -40,7 +40,11 @@ def find(kind: str, name: str, inputs: FilePath | None = None) -> Path:
     """
     if "/" in name:
         path = Path(name)
-        if not _there(path):
+        try:
+            there = _there(path)
+        except InputError as error:  # of a table in that folder
+            raise InputError(f"there is no file {name}; {error}") from None
+        if not there:
             raise InputError(f"there is no file {name}")
         return path
     shelf = folder(inputs) / kind

@@ -91,9 +91,15 @@ def lines(
     return result[1:]
 
 
-def several(results: Sequence[Mapping[str, Any]], columns: Sequence[tuple[str, str, float]]) -> str:
+def several(
+    results: Sequence[Mapping[str, Any]],
+    columns: Sequence[tuple[str, str, float]],
+    optional: Collection[str] = (),
+) -> str:
     """Format several dicts of results as a table with one line per dict, followed by their
-    warnings. `columns` are (key, heading, factor)."""
+    warnings. `columns` are (key, heading, factor); a column of `optional` keys is omitted if it is
+    0 in all lines."""
+    columns = [c for c in columns if c[0] not in optional or any(one[c[0]] for one in results)]
     rows = [[heading for _, heading, _ in columns]]
     rows += [[_plain(one.get(key), scale) for key, _, scale in columns] for one in results]
     widths = [max(map(len, column)) for column in zip(*rows)]

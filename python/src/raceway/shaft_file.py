@@ -85,6 +85,7 @@ def read(path: FilePath, folder: FilePath | None = None) -> Case:
                 f"{path}: bearings {len(seats) + 1}: needs a name, and floating must be yes or no"
             )
         found = catalogue.find("bearings", name, folder)
+        inputs.held(found, 0.0, one["clearance"])  # refuses a clearance as all commands do
         names.append(name)
         seats.append(Seat(bearing=inputs.bearing(found), floating=FLOATING[floating], **one))
         ratings.append(inputs.ratings(found))

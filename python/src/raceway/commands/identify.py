@@ -88,6 +88,7 @@ def add(commands: Commands) -> None:
     options.bearing(lines)
     options.lubricant(lines)
     options.models(lines, STATICS, "films and cage speed")
+    defaults = {name: lines.get_default(name) for name in ("bearing", "lubricant", "models")}
     lines.add_argument(
         "--load", type=number(0, 1e6, "N"), metavar="N", help="radial load in newtons (unknown)"
     )
@@ -100,12 +101,13 @@ def add(commands: Commands) -> None:
     lines.add_argument(
         "--within",
         type=number(1e-6, 0.1, ""),
-        default=WITHIN,
         metavar="SHARE",
-        help="relative standard deviation of a line (default: %(default)s)",
+        help=f"relative standard deviation of a line (default: {WITHIN:g})",
     )
     one.add_argument("--json", action="store_true", help="print a JSON object instead of text")
-    one.set_defaults(command=run, complain=one.error)
+    # an option that was not given is None
+    defaults["within"] = WITHIN
+    one.set_defaults(command=run, complain=one.error, of_lines=defaults, **dict.fromkeys(defaults))
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -124,17 +126,21 @@ def run(arguments: argparse.Namespace) -> None:
                 arguments.complain(
                     f"--{name} applies to --lines; in a FILE it is listed under `known`"
                 )
+        for name in arguments.of_lines:
+            if getattr(arguments, name) is not None:
+                arguments.complain(f"--{name} applies to --lines: a FILE states it itself")
         given = readings.read(arguments.file, arguments.inputs)
     else:
+        words = {
+            name: default if getattr(arguments, name) is None else getattr(arguments, name)
+            for name, default in arguments.of_lines.items()
+        }
         given = line_table.read(
             arguments.lines,
-            arguments.bearing,
-            lubricant=arguments.lubricant,
-            models=arguments.models,
             load=arguments.load,
             temperature=arguments.temperature,
-            within=arguments.within,
             inputs_folder=arguments.inputs,
+            **words,
         )
     found = identify(given)
     if arguments.json:
@@ -200,10 +206,22 @@ def deck(given: "Readings", found: "Found") -> str:
         state[name] = (state[name] if own is None else own) + more
     if point.at is not None:
         state["temperature"] = point.at
-    words = {"bearing": given.bearing.name, "lubricant": given.lubricant.name}
+    words = {
+        "bearing": _word(given.bearing, "bearings"),
+        "lubricant": _word(given.lubricant, "lubricants"),
+    }
     words |= {"models": given.models, "rpm": f"{point.rpm:.8g}"}
     words |= {name: f"{state[name]:.6g}" for name in DECK if name in state}
     return " ".join(f"-var {name} {value}" for name, value in words.items())
+
+
+def _word(path, kind):
+    """The name of a data file of a `kind` in the decks' folder, otherwise its path."""
+    from raceway import catalogue
+
+    if path.parent == catalogue.folder() / kind:
+        return path.name
+    return str(path) if path.parent.name else f"./{path}"
 
 
 def text(given: "Readings", found: "Found") -> str:

@@ -23,9 +23,10 @@ bearing in the envelope spectrum.
 
 Supported files: .mat from Case Western Reserve University (X..._DE_time), the MFPT society
 (bearing.gs), Paderborn University (structure of X and Y) and `raceway dataset`; .npz with one row
-for each name; .csv from PRONOSTIA (acc_00001.csv), or with named columns, the first of which may be
-`time_s`; .wav. The .mat files from CWRU do not state their sampling rate: give --rate 12000 or
-48000. Accelerations in g are converted to m/s^2.
+for each name; .csv from PRONOSTIA (acc_00001.csv), or with columns, the first of which may contain
+times (`time_s`, `Time (ms)`) without gaps, or row numbers, which are ignored; .wav. The .mat files
+from CWRU do not state their sampling rate: give --rate 12000 or 48000. Accelerations in g are
+converted to m/s^2.
 
 The nominal speed often differs from the true speed by more than the cage slip. The true speed is
 searched for within 1.5 % of the nominal speed, by means of shaft lines that agree with each other.
@@ -151,7 +152,7 @@ def _figures(opened: "Recording") -> dict[str, Any]:
         "rpm": opened.rpm,
         "rpm_uncertainty": 60 * found.uncertainty if found else None,
         "rpm_nominal": opened.nominal_rpm,
-        "rpm_known": opened.speed_known,
+        "rpm_from": opened.speed_from,
         "load_N": _known(opened.load),
         "channels": channels,
     }
@@ -169,19 +170,19 @@ def _text(figures):
         shaft += (
             f" {figures['rpm_nominal']:g} rpm ({figures['rpm'] / figures['rpm_nominal'] - 1:+.3%})"
         )
-    elif not figures["rpm_known"]:
-        shaft += ", nominal: no lines of the shaft near it agree"
+    elif figures["rpm_from"] == "nominal":
+        shaft += ", nominal: the true speed is unknown, because no lines of the shaft agree"
     rows.append(shaft)
     if figures["load_N"] is not None:
         rows.append(f"  load {figures['load_N']:.4g} N radial")
     heads = ("values", "rate", "mean", "rms", "peak", "kurtosis")
-    rows += ["", f"  {'channel':<24}" + "".join(f"{head:>14}" for head in heads)]
+    rows += ["", f"  {'channel':<24}" + "".join(f"{head:>16}" for head in heads)]
     for one in figures["channels"]:
         rate = "-" if one["rate_Hz"] is None else prefixed(one["rate_Hz"], "Hz", 5)
         cells = [str(one["values"]), rate]
         cells += [_cell(one[key], one["unit"]) for key in ("mean", "rms", "peak")]
         cells.append(_cell(one["kurtosis"], ""))
-        rows.append(f"  {one['name']:<24}" + "".join(f"{cell:>14}" for cell in cells))
+        rows.append(f"  {one['name']:<24}" + "".join(f"{cell:>16}" for cell in cells))
     return "\n".join(rows)
 
 

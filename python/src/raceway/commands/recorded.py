@@ -62,6 +62,6 @@ def opened(arguments: argparse.Namespace) -> "Recording":
         rpm=arguments.rpm,
         nominal=arguments.nominal,
         rate=arguments.rate,
-        nominal_angle=inputs.nominal_angle(path),
+        nominal_angle=inputs.four_point_angle(path) or inputs.nominal_angle(path),
         name=path.name,
     )

@@ -81,4 +81,5 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.csv:
         files.whole(arguments.csv, lambda part: table.to_csv(part, index=False))
     else:
-        print(table.to_string(index=False, float_format="{:.4g}".format))
+        whole = {"time_s": "{:.10g}".format}
+        print(table.to_string(index=False, float_format="{:.4g}".format, formatters=whole))

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Common style of all pictures: colours and fonts, and a function that saves a figure."""
 
+from pathlib import Path
+
 import matplotlib
 from matplotlib.figure import Figure
 
@@ -49,10 +51,14 @@ REGIMES = (
 )
 
 
+FORMATS = {".pdf": "pdf", ".svg": "svg"}  # of pictures, by the ending of the name; others are PNG
+
+
 def save(figure: Figure, path: FilePath) -> None:
-    """Write `figure` to the PNG file `path` and close it. Raises `RunError` if it cannot be
-    written."""
+    """Write `figure` to `path` and close it. The format is PDF or SVG if the name ends in .pdf or
+    .svg, and PNG otherwise. Raises `RunError` if it cannot be written."""
     try:
-        files.whole(path, lambda part: figure.savefig(part, format="png", facecolor="white"))
+        kind = FORMATS.get(Path(path).suffix.lower(), "png")
+        files.whole(path, lambda part: figure.savefig(part, format=kind, facecolor="white"))
     finally:
         plt.close(figure)

@@ -36,10 +36,12 @@ class Contents(NamedTuple):
 def channel(path: FilePath, name: str, values: ArrayLike, rate: float, **words: Any) -> Channel:
     """Return a `Channel` of `values`, which are a row or a column.
 
-    `words` may contain the `scale` that converts the values to SI `units`, and the `meaning`. Raise
-    `RunError` for values that are not finite numbers and for other shapes.
+    `words` may contain the `scale` that converts the values to SI `units`, and the `meaning`.
+    Raises `RunError` for values that are not finite real numbers and for other shapes.
     """
     try:
+        if np.iscomplexobj(values):
+            raise TypeError
         row = np.ravel(np.asarray(values, float)) * words.get("scale", 1.0)
     except (TypeError, ValueError):
         raise RunError(f"{path}: {name} is not a row of numbers") from None

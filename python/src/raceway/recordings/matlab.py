@@ -64,7 +64,7 @@ def _cwru(path, data):
     stem = path.stem.lstrip("0")
     number = next((one for one in numbers if one.lstrip("0") == stem), numbers[0])
     si = data.get("unit") == "m/s^2"
-    rate = float(data.get("sampling_Hz", math.nan))
+    rate = _number(path, data, "sampling_Hz")
     found = {
         end: channel(
             path,
@@ -78,16 +78,24 @@ def _cwru(path, data):
         for end, words in AT.items()
         if f"X{number}_{end}_time" in data
     }
-    rpm, load = data.get(f"X{number}RPM", math.nan), data.get("load_N", math.nan)
-    return Contents("CWRU", found, float(rpm), float(load))
+    rpm, load = (_number(path, data, name) for name in (f"X{number}RPM", "load_N"))
+    return Contents("CWRU", found, rpm, load)
 
 
 def _mfpt(path, data: Mapping[str, Any]):
-    rate = float(data["sr"])
+    rate, turns, load = (_number(path, data, name) for name in ("sr", "rate", "load"))
     words = {"scale": GRAVITY, "units": "m/s^2", "meaning": "acceleration"}
     found = {"gs": channel(path, "gs", data["gs"], rate, **words)}
-    rpm = 60 * float(data.get("rate", math.nan))
-    return Contents("MFPT", found, rpm, POUND * float(data.get("load", math.nan)))
+    return Contents("MFPT", found, 60 * turns, POUND * load)
+
+
+def _number(path, data: Mapping[str, Any], name):
+    """The number `name` in `data`; NaN if it is missing or empty."""
+    value = np.ravel(data.get(name, ()))
+    try:
+        return float(value.item()) if value.size else math.nan
+    except (TypeError, ValueError):
+        raise RunError(f"{path}: {name} is not one number") from None
 
 
 def _paderborn(path, data: Mapping[str, Any]):

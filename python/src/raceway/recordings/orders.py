@@ -53,7 +53,6 @@ def of_spectrum(recording: Recording, found_in: xr.DataArray) -> dict[str, Order
     harmonics except those that disagree with the strongest one.
     """
     shaft, resolution = recording.rpm / 60, found_in.attrs["resolution"]
-    relative = recording.speed.uncertainty / shaft if recording.speed else 0.0
     found: dict[str, Order] = {}
     lines = [one for one in spectrum.lines(recording, found_in, within=WITHIN) if not one.note]
     for name in LINES:
@@ -68,7 +67,8 @@ def of_spectrum(recording: Recording, found_in: xr.DataArray) -> dict[str, Order
         mean = float(np.average(values, weights=weight))
         scatter = math.sqrt(float(np.average((values - mean) ** 2, weights=weight)) / len(own))
         fine = FINE * resolution / shaft / math.sqrt(weight.sum())
-        found[name] = Order(mean, math.hypot(fine, scatter, mean * relative), len(own))
+        speed = mean * recording.speed_uncertainty
+        found[name] = Order(mean, math.hypot(fine, scatter, speed), len(own))
     return found
 
 

@@ -19,27 +19,32 @@ FEMTO = re.compile(r"(acc|temp)_\d+\.csv")
 FEMTO_RATE = {"acc": 25600.0, "temp": 10.0}  # Hz, as published
 NPZ = re.compile(r"(\d{4})_.*?(?:_(DE12|DE48|FE))?\.npz")
 NPZ_RATE = {"DE12": 12e3, "DE48": 48e3, "FE": 12e3}
-TIMES = ("time", "time_s", "t", "t_s", "seconds")
-EVEN = 1e-3  # largest variation of the time steps in a column, relative to their mean
+# heading of a column of times: time, t_s, Time (ms), t/s ...
+TIME = re.compile(r"(?:time|t|seconds)(?:[\s_/\[(]+(s|sec|seconds|ms|us|µs|μs)[\])]?)?", re.I)
+SECONDS = {"ms": 1e-3, "us": 1e-6, "µs": 1e-6, "μs": 1e-6}  # s, 1 for other units of time
+EVEN = 1e-3  # largest variation of the time steps in a column, relative to the whole time
+GAP = 1.5  # a step longer than this many times the others is a gap; times may be rounded coarsely
 
 
 def read_csv(path: Path) -> Contents:
     """Return the `Contents` of a CSV file with or without a header line.
 
-    A first column with a name such as time, time_s, t or seconds gives the sampling rate. Raise
-    `RunError` if the file cannot be read.
+    A first column named time, t or seconds, with or without a unit (time_s, Time (ms)), gives the
+    sampling rate. If there are several columns, row numbers or other numbers that increase in equal
+    steps in the first column are ignored. Raises `RunError` if the file cannot be read.
     """
     if told := FEMTO.fullmatch(path.name):
         return _femto(path, told[1])
-    table = _table(path, None)
-    if table.iloc[0].map(lambda one: isinstance(one, str)).any():
-        table = _table(path, 0)
+    headed = _table(path, None, rows=1).iloc[0].map(lambda one: isinstance(one, str)).any()
+    table = _table(path, 0 if headed else None)
     table.columns = [
         f"column_{one + 1}" if isinstance(one, int) else str(one).strip() for one in table.columns
     ]
     rate, names = math.nan, list(table.columns)
-    if names[0].lower() in TIMES:
-        rate = _rate(path, table[names[0]].to_numpy())
+    if not TIME.fullmatch(names[0]) and names[1:] and _rises(table[names[0]]):
+        names = names[1:]
+    if told := TIME.fullmatch(names[0]):
+        rate = _rate(path, table[names[0]].to_numpy()) / SECONDS.get((told[1] or "s").lower(), 1.0)
         names = names[1:]
     if not names:
         raise RunError(f"{path} has a column of times but no signal")
@@ -78,11 +83,19 @@ def _femto(path, kind):
     return Contents("FEMTO", found)
 
 
-def _table(path, header):
+def _table(path, header, rows=None):
     try:
         mark = _separator(path)
-        decimal = "," if mark == ";" and _commas(path) else "."
-        table = pd.read_csv(path, sep=mark, decimal=decimal, header=header, comment="#")
+        decimal = "," if mark in (";", "\t") and _commas(path) else "."
+        table = pd.read_csv(
+            path,
+            sep=mark,
+            decimal=decimal,
+            header=header,
+            comment="#",
+            nrows=rows,
+            low_memory=False,
+        )
     except (ValueError, OSError, UnicodeDecodeError, pd.errors.ParserError) as error:
         raise RunError(f"cannot read {path}: {error}") from None
     if not len(table):
@@ -91,16 +104,20 @@ def _table(path, header):
 
 
 def _separator(path):
-    """Return the separator of the first line with data: a semicolon, a comma, a tab or blanks."""
+    """Return the separator of the first line with data: a semicolon, a comma, a tab or blanks. In a
+    line with tabs a comma separates only if a tab follows it; otherwise it is a decimal comma."""
     with path.open(encoding="utf-8") as lines:
         first = next((line for line in lines if line.partition("#")[0].strip()), "")
+    if "\t" in first and ";" not in first and ",\t" not in first:
+        return "\t"
     return next((mark for mark in (";", ",", "\t") if mark in first), r"\s+")
 
 
 def _commas(path):
-    """Return True if numbers have decimal commas, i.e. if the last line has commas but no point."""
-    last = path.read_text(encoding="utf-8").rstrip().rpartition("\n")[2]
-    return "," in last and "." not in last
+    """Return True if numbers have decimal commas, i.e. if there are commas but no points below the
+    first line."""
+    body = re.sub("#.*", "", path.read_text(encoding="utf-8")).strip().partition("\n")[2]
+    return "," in body and "." not in body
 
 
 def _rate(path, time):
@@ -108,16 +125,33 @@ def _rate(path, time):
         step = np.diff(np.asarray(time, float))
     except ValueError:
         raise RunError(f"{path}: its times are not numbers") from None
-    if len(step) < 2 or not step.mean() > 0 or np.ptp(step) > EVEN * len(step) * step.mean():
+    if not _even(step):
         raise RunError(f"{path}: its times do not increase in equal steps")
+    at = int(step.argmax())
+    if step[at] > GAP * np.quantile(step[step > 0], 0.99):
+        raise RunError(
+            f"{path}: its times have a gap after row {at + 1} of data, at {time[at]:.9g}: give the"
+            " rows before or after it"
+        )
     return 1 / step.mean()
 
 
-def read_wav(path: Path) -> Contents:
-    """Return the `Contents` of a WAV file; integers are divided by their largest value.
+def _even(step):
+    whole = step.sum()
+    return len(step) > 1 and whole > 0 and step.min() >= 0 and np.ptp(step) <= EVEN * whole
 
-    Raise `RunError` if the file cannot be read.
-    """
+
+def _rises(column):
+    """True if a column of numbers rises at every step, in even steps."""
+    if column.dtype.kind not in "iuf":
+        return False
+    step = np.diff(column.to_numpy(float))
+    return _even(step) and (step > 0).all()
+
+
+def read_wav(path: Path) -> Contents:
+    """Return the `Contents` of a WAV file; integers are divided by their largest value. Integers of
+    8 bits are unsigned, with silence at 128. Raises `RunError` if the file cannot be read."""
     try:
         with warnings.catch_warnings():
             # warnings about chunks that the reader ignores
@@ -125,6 +159,8 @@ def read_wav(path: Path) -> Contents:
             rate, values = wavfile.read(path)
     except (ValueError, OSError) as error:
         raise RunError(f"cannot read {path}: {error}") from None
+    if values.dtype == np.uint8:
+        values = (values.astype(np.int16) - 128).astype(np.int8)
     scale = 1 / np.iinfo(values.dtype).max if values.dtype.kind in "iu" else 1.0
     words = {"scale": scale, "meaning": "signal, full scale 1"}
     rows = np.atleast_2d(np.transpose(values))

@@ -26,6 +26,8 @@ STATE = {
 DEFAULTS = {"clearance": 0.0, "load": 0.0, "axial": 0.0}
 QUANTITIES = (*orders.LINES, "capacitance", "temperature")
 UNITS = {"capacitance": "F", "temperature": "C"}  # lines are in orders of the shaft speed
+LINE = (1e-3, 1e3)  # range of a line in orders
+POSSIBLE = {"capacitance": (0.0, 1e-6), "temperature": (-60.0, 300.0)}  # ranges of a reading
 MORE = ("load_more", "axial_more")
 FILE = ("file", "line", "rate", "nominal", "channel")
 
@@ -93,6 +95,7 @@ def _readings(data: Any, folder: Path, shelf: FilePath | None) -> Readings:
     _only(given, ("bearing", "lubricant", "models", "ambient", "known", "unknown", "readings"), "")
     if missing := [name for name in ("bearing", "lubricant", "readings") if not given.get(name)]:
         raise ValueError(f"{missing[0]} is missing")
+    _names(given, ("bearing", "lubricant", "models"))
     models = given.get("models") or "full"
     if models not in STATICS:
         raise ValueError(f"models '{models}' is not one of {', '.join(STATICS)}")
@@ -145,15 +148,22 @@ def _reading(row: Any, where: str, bearing: Path, folder: Path) -> list[Reading]
     _only(given, (*Point._fields, *QUANTITIES, "within", *FILE), where)
     if "rpm" not in given and "file" not in given:
         raise ValueError(f"{where}: rpm is missing")
+    # a recording gives the value and its uncertainty itself
+    other = (*QUANTITIES, "within") if "file" in given else FILE
+    if strange := [name for name in other if name in given]:
+        kind = "with" if "file" in given else "without"
+        raise ValueError(f"{where}: {strange[0]} cannot be given {kind} file")
+    if "rpm" in given and "nominal" in given:
+        raise ValueError(f"{where}: give rpm, the true speed, or nominal, not both")
     values = {name: _number(given[name], f"{where}: {name}", -1e7, 1e7) for name in point_keys}
+    if "rpm" in values and not values["rpm"] > 0:
+        raise ValueError(f"{where}: rpm {values['rpm']:g} must be positive")
     if "file" in given:
         return _from_file(given, values, where, bearing, folder)
-    if not values["rpm"] > 0:
-        raise ValueError(f"{where}: rpm {values['rpm']:g} must be positive")
     said = [name for name in QUANTITIES if name in given]
     if len(said) != 1:
         raise ValueError(f"{where}: must have one of {', '.join(QUANTITIES)}, has {len(said)}")
-    value = _number(given[said[0]], f"{where}: {said[0]}", -1e3, 1e6)
+    value = _number(given[said[0]], f"{where}: {said[0]}", *POSSIBLE.get(said[0], LINE))
     if "within" not in given:
         raise ValueError(f"{where}: within, its standard deviation, is missing")
     within = _number(given["within"], f"{where}: within", 1e-30, 1e6)
@@ -162,6 +172,7 @@ def _reading(row: Any, where: str, bearing: Path, folder: Path) -> list[Reading]
 
 def _from_file(given, values, where, bearing, folder) -> list[Reading]:
     """Return lines of a recording, with orders and uncertainties that follow from the signal."""
+    _names(given, ("file", "line", "channel"), f"{where}: ")
     rate, nominal = (
         _number(given[key], f"{where}: {key}", 1, 1e8) if key in given else None
         for key in ("rate", "nominal")
@@ -175,6 +186,11 @@ def _from_file(given, values, where, bearing, folder) -> list[Reading]:
         nominal_angle=inputs.nominal_angle(bearing),
         name=bearing.name,
     )
+    if "rpm" not in values and not recording.speed:
+        raise ValueError(
+            f"{where}: {recording.where} shows no lines of the shaft near"
+            f" {recording.nominal_rpm:g} rpm: give its true speed as rpm"
+        )
     found = orders.of_recording(recording, given.get("channel") or "")
     wanted = [given["line"]] if "line" in given else list(found)
     if missing := [name for name in wanted if name not in found]:
@@ -196,6 +212,12 @@ def _only(given, names, where):
     if strange := [name for name in given if name not in names]:
         said = f"{strange[0]} is not one of {', '.join(names)}"
         raise ValueError(f"{where}: {said}" if where else said)
+
+
+def _names(given, keys, where=""):
+    for key in keys:
+        if isinstance(given.get(key), (dict, list)):
+            raise ValueError(f"{where}{key} must be one name")
 
 
 def _number(value, where, low, high):
@@ -239,9 +261,11 @@ def series(path: FilePath, inputs_folder: FilePath | None = None) -> Series:
     """
     data = yaml_file.read(path, ReadingsError)
     try:
+        data = dict(_mapping(data, "the file"))
         own = {name: data.pop(name, None) for name in ("series", "within", "drift")}
         if missing := [name for name in ("series", "within") if not own[name]]:
             raise ValueError(f"{missing[0]} is missing")
+        _names(own, ("series",))
         within = _mapping(own["within"], "within")
         _only(within, QUANTITIES, "within")
         known = ("time_s", *Point._fields, *QUANTITIES)

@@ -99,14 +99,23 @@ class Recording:
         return shaft_speed.find(first.values, first.sample_s, self.nominal_rpm / 60)
 
     @property
-    def speed_known(self) -> bool:
-        """False if the speed is only nominal: not given, and not found in the first channel."""
-        return self._given is not None or self.speed is not None
-
-    @property
     def rpm(self) -> float:
         """Speed of the shaft in rpm, as given, as found, or as stated in the file."""
         return 60 * self.speed.hertz if self.speed else self.nominal_rpm
+
+    @property
+    def speed_from(self) -> str:
+        """Source of `rpm`: "given", "lines" of the shaft, or "nominal" if no lines show it."""
+        return "given" if self._given is not None else "lines" if self.speed else "nominal"
+
+    @property
+    def speed_uncertainty(self) -> float:
+        """Relative standard deviation of `rpm`: 0 if it is given, that of an even distribution
+        around the nominal speed if no lines show it."""
+        if self._given is not None:
+            return 0.0
+        found = self.speed
+        return found.uncertainty / found.hertz if found else shaft_speed.NEAR / math.sqrt(3)
 
     @property
     def geometry(self) -> Bearing:
@@ -125,10 +134,12 @@ class Recording:
 
     @property
     def title(self) -> str:
-        """One-line description with file, bearing, load and speed."""
+        """One-line description with file, bearing, load and speed, and a note if the speed is only
+        nominal."""
         known = [] if math.isnan(self.load) else [f"{prefixed(self.load, 'N', 3)} radial"]
         parts = (Path(self.where).name, f"{self._name} ball bearing".strip(), *known)
-        return "  ·  ".join((*parts, f"{self.rpm:.5g} rpm"))
+        note = " nominal" if self.speed_from == "nominal" else ""
+        return "  ·  ".join((*parts, f"{self.rpm:.5g} rpm{note}"))
 
     def signal(self, name: str = "", ring: str = "") -> Signal:
         """Return the `Signal` of the channel `name`, which is the first channel by default.

@@ -20,6 +20,7 @@ from raceway.runs.source import Signal, Source
 
 LEVELS = 6  # the narrowest bands are 1/64 of half the sampling rate
 EDGE = 0.05  # fraction of the signal at each end that is tapered and not used to choose a band
+CONSTANT = 1e-14  # largest variation of a constant signal relative to its values, due to rounding
 ENOUGH = 64  # minimum number of values of an envelope from which a kurtosis is computed
 
 
@@ -48,6 +49,8 @@ def of_values(values: ArrayLike, sample_s: float, low: float, high: float) -> Fl
     """
     values = np.asarray(values, float)
     nyquist = 0.5 / sample_s
+    if low >= high:
+        raise ValueError(f"band {low:g} to {high:g} Hz: the first must be below the second")
     if not 0 < low < high <= nyquist:
         raise ValueError(f"band {low:g} to {high:g} Hz must lie between 0 and {nyquist:g} Hz")
     passes = ((low, high), "bandpass") if high < nyquist else (low, "highpass")
@@ -82,10 +85,11 @@ def bands(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> list[Ba
 
 
 def best_band(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> Band:
-    """Return the most impulsive of `bands`; raise `ValueError` if there are too few values, or if
-    the values are constant."""
-    if not np.ptp(values):
-        raise ValueError(f"{np.size(values)} values are all the same: they have no band")
+    """Return the most impulsive of `bands`. Raises `ValueError` if there are too few values for a
+    band, or if the values are constant."""
+    values = np.asarray(values, float)
+    if values.size and np.ptp(values) <= CONSTANT * np.abs(values).max():
+        raise ValueError("the signal is constant")
     found = bands(values, sample_s, narrowest)
     if not found:
         raise ValueError(

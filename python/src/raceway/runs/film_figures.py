@@ -39,7 +39,8 @@ def over_time(run: Run, whole: xr.Dataset, ask: Ask = NOTHING) -> xr.Dataset:
     `whole` is the result of `whole_capacitance.over_time` for the `run`. The capacitances of
     plates, surroundings and unloaded balls add up to the capacitance of the bearing. A voltage in
     `ask` adds the fields, a resistivity the leak, a frequency the impedance, and a motor the
-    voltage ratio; with a motor, the energy includes the capacitances of the motor.
+    voltage ratio; with a motor, the energy includes the capacitances of the motor and of a second,
+    equal bearing.
     """
     total, paths, load, plates = (
         _films(whole, name) for name in ("total", "paths", "load", "plates")
@@ -47,7 +48,6 @@ def over_time(run: Run, whole: xr.Dataset, ask: Ask = NOTHING) -> xr.Dataset:
     one = whole["one_ball"].transpose("time", "ball").to_numpy()
     loaded = (load > 0).all(axis=0)
     of_plates = np.where(loaded, capacitance.ball(*plates), 0.0)
-    hangs = sum(ask.motor or (0.0,))
     found = whole_capacitance.fields(run, whole, ask.voltage or 1.0, ask.strength)
     values = {
         "plates": of_plates.sum(1),
@@ -59,7 +59,9 @@ def over_time(run: Run, whole: xr.Dataset, ask: Ask = NOTHING) -> xr.Dataset:
         "threshold_peaks": found["threshold_peaks"].to_numpy(),
         "weakest": found["weakest"].to_numpy(),
     }
-    values["energy"] = film_voltage.stored_energy(values["bearing"] + hangs, values["threshold"])
+    values["energy"] = film_voltage.stored_energy(
+        values["bearing"] + ask.parallel(values["bearing"]), values["threshold"]
+    )
     if ask.voltage is not None:
         for name in ("field", "field_peaks"):
             values[name] = np.abs(_films(found, name)).max((0, 2))

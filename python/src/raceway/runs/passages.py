@@ -40,7 +40,8 @@ FOLDS = 4  # samples in a bin of the folded record
 FEWEST = 32  # minimum number of samples around an impact
 # Hz, lowest sampling rate of a signal that has passed the filter of a sensor. In runs of a 6206
 # under 800 N, the lengths found for spalls of 1 to 2.5 mm are up to 6 % too short at 64 kHz, and
-# all about 1 mm at 48 kHz.
+# all about 1 mm at 48 kHz. In a 6205, the length found for a spall of 1 mm is 13 % too short at 64
+# kHz (docs/tutorial_spall).
 SLOWEST = 60e3
 
 

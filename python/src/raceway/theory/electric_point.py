@@ -68,6 +68,11 @@ class Ask(NamedTuple):
     motor: tuple[float, float] | None = None  # F, C_wr and C_rf
     measured: float | None = None  # F, measured capacitance of the bearing
 
+    def parallel(self, bearing: Floats) -> Floats:
+        """Capacitance (F) in parallel with that of a `bearing` on the shaft of a motor: of the
+        second, equal bearing and of the motor; 0 without a motor."""
+        return np.zeros_like(bearing) if self.motor is None else bearing + sum(self.motor)
+
 
 NOTHING = Ask()
 
@@ -184,7 +189,7 @@ def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
         threshold_peaks_V=rough.bearing,
         threshold_azimuth_deg=math.degrees(point.state.azimuth[smooth.weakest]),
         stored_energy_J=film_voltage.stored_energy(
-            found.total + sum(ask.motor or (0.0,)), smooth.bearing
+            found.total + ask.parallel(found.total), smooth.bearing
         ),
         metallic_contacts=int(sum(side.sum() for side in metallic)),
     )

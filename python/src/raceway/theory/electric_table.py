@@ -55,6 +55,7 @@ TOPICS = {
 }
 COLUMNS = (  # columns of `curves`: key, heading, factor
     ("load_N", "load N", 1),
+    ("axial_N", "axial N", 1),
     ("rpm", "rpm", 1),
     ("temperature_C", "T °C", 1),
     ("clearance_m", "P_d µm", 1e6),
@@ -99,7 +100,7 @@ def table(result: Mapping[str, Any]) -> str:
 
 def curves(results: Sequence[Mapping[str, Any]]) -> str:
     """Format several results of `figures` as text, with one line per result."""
-    return several(results, COLUMNS)
+    return several(results, COLUMNS, optional=("axial_N",))
 
 
 def _aligned(table):

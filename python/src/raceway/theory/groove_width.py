@@ -35,8 +35,8 @@ def depth(
     found = shoulder / 2 - bottom if raceway == INNER else bottom - shoulder / 2
     if not 0 < found <= bearing.groove(raceway):
         raise ValueError(
-            f"shoulder diameter = {shoulder} m is {found} m from the groove's bottom: must be more"
-            f" than 0 and at most the groove's radius, {bearing.groove(raceway)} m"
+            f"shoulder diameter = {shoulder:g} m is {found:.6g} m from the groove's bottom: must be"
+            f" more than 0 and at most the groove's radius, {bearing.groove(raceway):g} m"
         )
     return found
 

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from raceway.errors import InputError
+from raceway.errors import InputError, RacewayError
 from raceway.files import FilePath
 from raceway.theory import life
 from raceway.units import prefixed
@@ -133,14 +133,19 @@ def of_points(
     for each point.
 
     `figures` returns the results at a point (`operating_point.figures`). Raises `InputError` if
-    they do not include a life because the bearing has no rating.
+    they do not include a life because the bearing has no rating, and with the number of a point
+    that has no results.
     """
     points: list[dict[str, Any]] = []
-    for duty in duties:
-        found = figures(duty)
+    for number, duty in enumerate(duties, 1):
+        try:
+            found = figures(duty)
+        except RacewayError as error:
+            raise InputError(f"point {number} of the spectrum: {error}") from None
         if LIFE not in found:
             raise InputError("the bearing's file states no load ratings: give --C")
-        points.append(duty._asdict() | {key: found[key] for key in KEYS})
+        names = {"load_N": duty.load, "axial_N": duty.axial, "rpm": duty.rpm, "share": duty.share}
+        points.append(names | {key: found[key] for key in KEYS})
     times = np.array([duty.share for duty in duties])
     turns = times * [duty.rpm for duty in duties]
     rpm = float(turns.sum() / times.sum())
@@ -170,7 +175,7 @@ def table(found: Mapping[str, Any]) -> str:
         parts = (one["share"] / whole, one["revolutions_share"], one["damage_share"])
         rows.append(
             [
-                *(prefixed(one[key], "N") for key in ("load", "axial")),
+                *(prefixed(one[key], "N") for key in ("load_N", "axial_N")),
                 f"{one['rpm']:g}",
                 *(f"{100 * part:.3g} %" for part in parts),
                 prefixed(one["equivalent_load_N"], "N"),

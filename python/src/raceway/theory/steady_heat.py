@@ -61,7 +61,9 @@ TOPICS = {
 }
 COLUMNS = (  # columns of the table for several points: key, heading, scale
     ("load_N", "load N", 1),
+    ("axial_N", "axial N", 1),
     ("rpm", "rpm", 1),
+    ("clearance_m", "cold P_d µm", 1e6),
     ("temperature_C", "T °C", 1),
     ("viscosity_Pa_s", "eta mPa s", 1e3),
     ("clearance_warm_m", "P_d µm", 1e6),
@@ -235,4 +237,4 @@ def table(result: Mapping[str, Any]) -> str:
 
 def curves(results: list[dict[str, Any]]) -> str:
     """Format several results of `figures` as text, with one line per result."""
-    return several(results, COLUMNS)
+    return several(results, COLUMNS, optional=("axial_N", "clearance_m"))
