@@ -156,6 +156,7 @@ def test_mistakes(tmp_path, monkeypatch, capsys):
         (["-var", "tolerance", "1e-8"], "-var tolerance is set by raceway needs; leave it out"),
         (["-var", "without", "drag"], "-var without is set by raceway needs; leave it out"),
         (["-var", "load", "5 6"], "must be one word or number"),
+        (["-var", "lode", "5"], "inputs/in.6208 has no variable 'lode'; did you mean load"),
         (["--keep", "drags"], "--keep drags: unknown; known:"),
         (["--program", "nowhere/x"], "there is no program 'nowhere/x'"),
         (["-var", "load", "1e9"], "the scene with every part of the model: bearing: load"),

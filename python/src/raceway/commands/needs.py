@@ -9,7 +9,7 @@ from raceway import files
 from raceway.commands import Commands, options
 from raceway.commands.program import command, end_on_signals
 from raceway.commands.quantity import takes_negative
-from raceway.errors import RacewayError
+from raceway.errors import RacewayError, near
 
 DESCRIPTION = """\
 Runs a scene with the full model and fine numerical settings. Then omits each part and coarsens each
@@ -83,6 +83,8 @@ def run(arguments: argparse.Namespace) -> None:
     for name, value in given.items():
         if name in OURS or name in scene_parts.REFERENCE or name == "without":
             raise RacewayError(f"-var {name} is set by raceway needs; leave it out")
+        if name not in known:
+            raise RacewayError(f"{arguments.deck} has no variable '{name}'{near(name, known)}")
         if not WORD.fullmatch(value):
             raise RacewayError(f"-var {name} is '{value}', must be one word or number")
     if missing := sorted(set(scene_parts.REFERENCE) - set(known)):
