@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Rotation of balls that roll on both raceways under Coulomb's law and the gyroscopic moment.
 
-In the plane spanned by the bearing's axis e and the radius u through a ball, rolling on both
+In the plane spanned by the bearing's axis e and the radial direction u of a ball, rolling on both
 raceways leaves one speed undetermined: the radial component x of the ball's rotation. The orbital
 speed Omega and both spins are linear functions of x. An orbiting ball with inertia J needs the
 moment J Omega x about the direction t of its path. Only friction across the raceways can supply
@@ -9,12 +9,14 @@ this moment, so the ball rotates about t and slides across both raceways at the 
 
     J Omega x = R_b sum of mu Q s/sqrt(s^2 + v^2),    v = s_e/3.80,
 
-as in the simulation's law of slip across the groove (docs/tribology, Slip in a time step). This
+as in the law that the simulation uses for slip across the groove (docs/tribology, Slip in a time
+step). This
 rotation in turn needs the moment J Omega s/R_b about u, which is supplied by spin:
 
     sum of M_k domega_k/dx + J Omega s/R_b = 0,    M_k = spin.closed_moment in the presence of s.
 
-If friction is too low for the moment, x is limited and s grows, i.e. the ball pivots and slides.
+If friction is too low to supply the moment, x is limited and s grows, i.e. the ball pivots and
+slides.
 """
 
 from typing import NamedTuple
@@ -53,7 +55,7 @@ def balanced(
     density: float,
 ) -> Attitude:
     """Compute the `Attitude` of balls at the contact angles `angle` (2, Z) in rad, with the inner
-    ring turning at `ring` rad/s, which must not be 0.
+    ring turning at `ring` rad/s (not 0).
 
     The contacts (2, Z) are described by the friction `limit` mu Q (N), the semi-axis `a` (m), the
     moment `pure` of pure spin (N m) and the sliding speed `edge` s_e of differential slip (m/s).
@@ -71,9 +73,9 @@ def balanced(
 
 
 def _at(slide, none, turn, radius, limit, a, edge, momentum):
-    """Return (orbit and spins (3, Z), fractions of the moment of pure spin (2, Z), forces across
-    (2, Z)) of balls that slide at `slide` (Z,) m/s, which has the sign of x; `momentum` is J
-    Omega."""
+    """Return three arrays for balls that slide at `slide` (Z,) m/s, which has the sign of x: the
+    orbit and spins (3, Z), the fractions of the moment of pure spin (2, Z), and the forces across
+    the grooves (2, Z). `momentum` is J Omega."""
     force = limit * slide / np.hypot(slide, edge / sliding.LEAN)
     motion = none + turn * radius * force.sum(0) / momentum
     return motion, laws.spin_shares(np.abs(motion[1:]) * a, edge, np.abs(slide)).spin, force
@@ -94,9 +96,9 @@ def _slide(none, turn, radius, limit, a, pure, edge, momentum):
 
 
 def rolling(bearing: Bearing, angle: Floats, ring: float) -> tuple[Floats, Floats]:
-    """Return (none, turn): the orbit and both spins (3, Z) in rad/s of balls that roll on both
-    raceways without radial rotation, and their change per rad/s of radial rotation. The angles (2,
-    Z) and `ring` are as in `balanced`."""
+    """Return (none, turn), both (3, Z). `none` contains the orbit and both spins in rad/s of balls
+    that roll on both raceways without radial rotation, and `turn` their changes per rad/s of radial
+    rotation. The angles (2, Z) and `ring` are as in `balanced`."""
     sizes = angle[INNER], angle[OUTER], ring, bearing.ball_radius, bearing.pitch_radius
     none, one = (laws.rolling_on_both(*sizes, radial) for radial in (0.0, 1.0))
     none, one = (np.array([m.orbit, m.spin_inner, m.spin_outer]) for m in (none, one))
