@@ -158,7 +158,7 @@ def test_command(capsys, monkeypatch):
     arguments = ["static", "--axial", "1000", "--four-point", "35"]
     assert main(arguments) == 0
     text = capsys.readouterr().out
-    assert "contact angle of four points              35 °" in text
+    assert "four-point contact angle                  35 °" in text
     rows = text.split("\nBalls\n")[1].splitlines()
     assert len(rows) == 19 and len({len(row) for row in rows}) == 1
     assert main([*arguments, "--json"]) == 0
