@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from raceway.runs.run import Run
     from raceway.sweeps.one_run import simulate as simulate
 
-# `raceway.NAME` is either a module in one of these folders or in the package itself, or a class or
+# `raceway.NAME` is a module in one of these folders or in the package itself, or else a class or
 # function listed in CLASSES
 ROOMS = ("theory", "runs", "electric", "recordings")
 CLASSES = {"Run": "runs.run", "RunTables": "runs.tables", "simulate": "sweeps.one_run"}
 
 
 def _names() -> dict[str, str]:
-    """Return a dict that maps each public name to the module that has this name or defines it."""
+    """Return a dict that maps each public name to the module of that name or that defines it."""
     here, found = Path(__file__).parent, dict(CLASSES)
     for room in (*ROOMS, ""):
         for path in (here / room).iterdir():
