@@ -44,7 +44,7 @@ def test_a_film_that_fails_by_hand():
     given = steady([20 * PICO, 60 * PICO], [30 * PICO, 60 * PICO], thickness=thickness)
     result = circuit.run(given, Floating(10.0, 10 * PICO), Breakdown(50e6))
     (event,) = result.events.itertuples()
-    # two balls of 12 and 30 pF, and 10 pF in parallel, so the charge on the ring is 520 pC
+    # two balls of 12 and 30 pF and 10 pF in parallel hold a charge of 520 pC on the ring
     assert (event.ball, event.raceway, event.order) == (1, "inner", 1)
     assert event.film_voltage == pytest.approx(6.0)  # the breakdown voltage is 5 V
     assert event.bearing_voltage_after == pytest.approx(520 / (30 + 30 + 10))

@@ -144,8 +144,8 @@ def test_reversed_and_hot(bearing):
      (9549.0, -10, -3.0, 73)],
 )  # fmt: skip
 def test_film_in_the_gap(bearing, rpm, shift, top, third):
-    """The parameters are the changes, in per cent, of the radial displacement and of the loads on
-    the top ball and the third ball, without centrifugal load."""
+    """The parameters are the changes, in per cent, that the film causes in the radial displacement
+    and in the loads on the top ball and the third ball, without centrifugal load."""
     dry = equilibrium(bearing, 5000.0)
     wet = equilibrium(bearing, 5000.0, film=FilmInGap(ISOTHERMAL, rpm * np.pi / 30))
     change = [

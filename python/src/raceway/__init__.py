@@ -21,7 +21,7 @@ CLASSES = {"Run": "runs.run", "RunTables": "runs.tables", "simulate": "sweeps.on
 
 
 def _names() -> dict[str, str]:
-    """Return a dict that maps each public name to the module of that name or that defines it."""
+    """Return a dict that maps each public name to the module that has this name or defines it."""
     here, found = Path(__file__).parent, dict(CLASSES)
     for room in (*ROOMS, ""):
         for path in (here / room).iterdir():

@@ -98,7 +98,7 @@ def _check_sizes(path):
                     raise ValueError(f"'{name}' is not an array of real numbers")
                 shape, _, kind = read(file)
             if kind.kind not in "fiu":
-                raise ValueError(f"'{name}' has type {kind}, must be real numbers")
+                raise ValueError(f"'{name}' has type {kind}; it must contain real numbers")
             if len(shape) > 2 or max(shape, default=0) > ROWS:
                 size = " x ".join(map(str, shape))
-                raise ValueError(f"'{name}' is {size}, must have at most {ROWS} rows and columns")
+                raise ValueError(f"'{name}' is {size}; it can have at most {ROWS} rows and columns")

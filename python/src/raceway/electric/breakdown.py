@@ -87,12 +87,12 @@ def threshold(films: Films, limit: Floats, bridged: float = 0.0) -> Floats:
 class Failure(NamedTuple):
     """Failure of one film, which is identified by its raceway and the index of its ball."""
 
-    time: float  # s
+    time: float  # s, time of the failure
     discharge: int  # number of the discharge, starting at 1
     # position of this failure in the sequence of failures of the discharge, starting at 1
     order: int
     raceway: int
-    ball: int  # from 0 to Z - 1
+    ball: int  # index of the ball, from 0 to Z - 1
     film_voltage: float  # V, voltage across the film before the failure
     bearing_voltage: float  # V, voltage between the rings before the failure
     bearing_voltage_after: float  # V, voltage between the rings after the failure
@@ -103,7 +103,7 @@ class Failure(NamedTuple):
 class ArcCurrent(NamedTuple):
     """Current during a failure, limited by a resistance."""
 
-    peak: float  # A
+    peak: float  # A, peak current
     duration: float  # s, time in which the current falls to 1/e of its peak
 
     @classmethod

@@ -22,7 +22,7 @@ class Frame(NamedTuple):
 
     sample: int
     time: float  # s
-    position: Floats  # (n, 3)
+    position: Floats  # (n, 3), m, positions of the balls and cage balls
     data: dict[str, NDArray[Any]]  # {name: array (n,) or (n, 3)}
     ring: Floats  # (3,), position of the inner ring
     ring_turned: float  # rad, rotation of the inner ring about its axis since the first sample

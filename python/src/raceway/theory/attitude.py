@@ -28,18 +28,18 @@ from raceway.core import laws
 from raceway.theory import sliding
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
-HALVINGS = 120  # bisections; the sliding speeds of sticking and sliding balls differ by up to 1e20
-ROUNDS = 5  # iterations for the orbital speed
+HALVINGS = 120  # number of bisections; sliding speeds range over up to 20 orders of magnitude
+ROUNDS = 5  # number of iterations for the orbital speed
 
 
 class Attitude(NamedTuple):
     """Motion of Z balls with two contacts each; contacts with the inner ring come first."""
 
-    orbit: Floats  # (Z,), rad/s
-    spin: Floats  # (2, Z), rad/s, of the ball relative to the ring about the contact normal
-    moment: Floats  # (2, Z), N m, opposing the spin
+    orbit: Floats  # (Z,), rad/s, orbital speed
+    spin: Floats  # (2, Z), rad/s, spin of the ball relative to the ring about the contact normal
+    moment: Floats  # (2, Z), N m, moment that opposes the spin
     across: Floats  # (Z,), m/s, sliding speed across both raceways, not negative
-    force: Floats  # (2, Z), N, opposing the sliding
+    force: Floats  # (2, Z), N, force that opposes the sliding
 
     __repr__ = short
 

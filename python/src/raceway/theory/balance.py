@@ -25,7 +25,7 @@ from raceway.theory.small_motion import condensed
 class Here(NamedTuple):
     """State of the bearing at a given position of the ring, with the balls in equilibrium."""
 
-    energy: float  # J, up to an additive constant
+    energy: float  # J, energy up to an additive constant
     gradient: Floats  # (5,), derivative of the energy with respect to the ring's position
     touch: seat.Touch
 

@@ -18,9 +18,9 @@ SMALLEST_KAPPA = 1.0  # the fits in `beside` and `beyond` hold if a is at least 
 
 
 def beside(ratio: Numbers) -> Numbers:
-    """Return G(H) with H = h/g_s. This is I of the gap in front of and behind the ellipse, divided
-    by 2 a b/g_s. It is within 0.2 % of the integral (`capacitance_exact.beside`) for H from 1e-3 to
-    1e3.
+    """Return G(H) with H = h/g_s, where G is the integral I over the gap in front of and behind the
+    ellipse, divided by 2 a b/g_s. It agrees with `capacitance_exact.beside` within 0.2 % for H from
+    1e-3 to 1e3.
 
     >>> [round(float(beside(h)), 3) for h in (1e-3, 1.0, 1e3)]
     [33.802, 2.462, 0.098]

@@ -50,13 +50,13 @@ class FilmInGap:
     fluid: Fluid
     speed: float  # rad/s, speed of the inner ring
     starvation: float = 1.0  # factor on the film thickness due to starvation
-    share: float = 1.0  # zeta
+    share: float = 1.0  # factor zeta on the film thickness in the gap
     # (C, Z), m/s, entrainment speeds; by default, of pure rolling at the angle of each contact
     entrainment: Floats | None = None
 
     def factor(self, speed: Numbers) -> Numbers:
-        """Return phi_T of Murch and Wilson times the starvation factor, at the entrainment `speed`
-        in m/s."""
+        """Return the factor on the film thickness at the entrainment `speed` in m/s, i.e. phi_T of
+        Murch and Wilson times the starvation factor."""
         loading = film_factors.thermal_loading(
             self.fluid.temperature_viscosity, self.fluid.viscosity, speed, self.fluid.conductivity
         )

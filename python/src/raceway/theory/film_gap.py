@@ -22,8 +22,8 @@ class Squeeze(NamedTuple):
     """Contacts with their films, in arrays of equal shape."""
 
     load: Numbers  # Q, N
-    h_c: Numbers  # m; below the cut load, the thickness at the cut load
-    elastic: Numbers  # delta_H, m; zero without load
+    h_c: Numbers  # m, film thickness; below the cut load, its value at the cut load
+    elastic: Numbers  # delta_H, m; zero if there is no load
     slope: Numbers  # dQ/d(delta), N/m
 
 
@@ -91,7 +91,7 @@ def heated(
     `loading` is L, and `peak` is p_max/E' at a load of 1 N; p_max grows with Q^(1/3). Below the
     load `cut` in N the factor keeps its value at `cut`. Beyond the range of Gupta's factor, the
     reduction by pressure is limited to `GUPTA_MOST`. Raises `ValueError` if `law` is a power law
-    that is cut at a different load.
+    whose cut is at a different load.
     """
     if not law.all_regimes and law.cut != cut:
         raise ValueError(f"cut = {cut} N must equal the cut of the power law, {law.cut} N")

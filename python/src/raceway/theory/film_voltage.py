@@ -43,8 +43,8 @@ def divided(voltage: Numbers, inner: Numbers, outer: Numbers) -> Shares:
 
 
 def shares(inner: Numbers, outer: Numbers) -> Shares:
-    """Return the fraction of the voltage between the rings that is across each film, from the
-    capacitances. Both fractions are zero if both films are open."""
+    """Return, for each film, the fraction of the voltage between the rings that drops across it,
+    computed from the capacitances. Both fractions are zero if both films are open."""
     both = np.asarray(inner + outer, float)
     over = np.divide(1.0, both, out=np.zeros_like(both), where=both != 0)
     return Shares((outer * over)[()], (inner * over)[()])

@@ -66,7 +66,7 @@ class Surfaces:
 
     boundary: float = 0.12  # boundary friction coefficient mu_b in running (SKF)
     film: float | None = 0.05  # traction coefficient of the film; None: from the Eyring stress
-    loss: float = 0.016  # alpha of hysteresis, typically 0.005 to 0.05
+    loss: float = 0.016  # hysteresis loss factor alpha, typically 0.005 to 0.05
     oil_share: float = 0.05  # fraction of the space around the balls that is filled with oil
     inlet: float = 0.0  # inlet length of rolling contacts, in multiples of b; 0: fully flooded
     starvation: float = 1.0  # factor on the hydrodynamic couple

@@ -54,7 +54,7 @@ class Rest(NamedTuple):
     """A bearing in equilibrium with its loads, and the films at its speed."""
 
     state: Equilibrium
-    orbit: float | Floats  # rad/s, of the balls
+    orbit: float | Floats  # rad/s, orbital speed of the balls
     films: Lubrication
     fluid: Fluid
 

@@ -34,19 +34,19 @@ CONFORMITY = (0.52, 0.53)
 class Ratings(NamedTuple):
     """Catalogue load ratings of a bearing in N."""
 
-    dynamic: float  # C
-    static: float  # C_0
-    fatigue: float  # C_u
+    dynamic: float  # dynamic load rating C
+    static: float  # static load rating C_0
+    fatigue: float  # fatigue load limit C_u
 
 
 class Life(NamedTuple):
     """Rating life of a bearing under given ball loads."""
 
-    reference: float  # L_10r of ISO/TS 16281, in 1e6 revolutions
+    reference: float  # reference life L_10r of ISO/TS 16281, in 1e6 revolutions
     equivalent: float  # N, radial load for which ISO 281 gives the same life
-    factor: float  # a_ISO, NaN if the viscosity is not given
-    modified: float  # a_ISO L_10r, in 1e6 revolutions
-    viscosity_ratio: float  # kappa
+    factor: float  # life modification factor a_ISO; NaN if no viscosity is given
+    modified: float  # modified life a_ISO L_10r, in 1e6 revolutions
+    viscosity_ratio: float  # viscosity ratio kappa
 
 
 def ratings(dynamic: float, static: float, pitch_diameter: float) -> Ratings:

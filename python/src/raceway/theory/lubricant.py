@@ -26,7 +26,7 @@ class Fluid(NamedTuple):
     pressure_viscosity: Numbers  # xi, 1/Pa
     temperature_viscosity: Numbers  # beta = -d(ln eta)/dT, 1/K
     density: Numbers  # kg/m^3
-    permittivity: Numbers  # relative
+    permittivity: Numbers  # relative permittivity
     conductivity: float  # k_f, W/(m K)
     heat_capacity: float  # J/(kg K)
     eyring_stress: float  # tau_0, Pa
@@ -94,11 +94,11 @@ class Lubricant:
     """
 
     law: Walther | Vogel
-    density: float  # at 40 C, kg/m^3
+    density: float  # kg/m^3, density at 40 C
     thinning: float  # kg/(m^3 K), rate at which the density decreases with temperature
-    pressure_viscosity: float  # at 40 C, 1/Pa
-    pressure_viscosity_hot: float  # at 100 C, 1/Pa
-    permittivity: float  # at 40 C
+    pressure_viscosity: float  # 1/Pa, xi at 40 C
+    pressure_viscosity_hot: float  # 1/Pa, xi at 100 C
+    permittivity: float  # relative permittivity at 40 C
     conductivity: float = _usual("oil_conductivity")  # W/(m K)
     heat_capacity: float = _usual("oil_heat_capacity")  # J/(kg K)
     eyring_stress: float = _usual("eyring_stress")  # Pa

@@ -399,7 +399,8 @@ def _loads(state):
 
 
 def _rounded(values):
-    """Set values below 1e-9 of the largest value to zero: by symmetry, they are rounding errors."""
+    """Set values below 1e-9 of the largest value to zero, because by symmetry they are rounding
+    errors."""
     return np.where(np.abs(values) > 1e-9 * np.abs(values).max(), values, 0.0)
 
 

@@ -36,7 +36,7 @@ class Grooves(NamedTuple):
 class Touch(NamedTuple):
     """Contacts of balls at given positions."""
 
-    distance: Floats  # (C, Z), m, from the ball to the centre of curvature
+    distance: Floats  # (C, Z), m, distance from the ball to the centre of curvature
     direction: Floats  # (C, Z, 2), unit vectors from ball to raceway
     load: Floats  # (C, Z), N
     along: Floats  # (C, Z), N/m, stiffness of each contact along its line of action

@@ -53,11 +53,11 @@ class Contacts(NamedTuple):
     # ball that its centrifugal load holds on the outer raceway, and zero for a ball that is not
     # held
     overlap: Floats
-    load: Floats  # N
+    load: Floats  # N, contact load
     angle: Floats  # rad, contact angle, positive if the inner ring is pushed towards +z
     a: Floats  # m, semi-axis across the groove
     b: Floats  # m, semi-axis along rolling
-    pressure: Floats  # Pa
+    pressure: Floats  # Pa, largest pressure in the contact ellipse
 
     __repr__ = short
 
@@ -74,7 +74,7 @@ class Equilibrium:
     """Equilibrium of a bearing."""
 
     shift: Floats  # (3,), m, displacement of the inner ring relative to the outer ring
-    azimuth: Floats  # (Z,), rad
+    azimuth: Floats  # (Z,), rad, azimuths of the balls
     inner: Contacts
     outer: Contacts
     # N, residual force in the free degrees of freedom, with moments divided by the pitch radius
@@ -134,7 +134,7 @@ def equilibrium(
     """
     if not isinstance(bearing, Bearing):
         raise TypeError(
-            f"bearing is {bearing!r}, must be a Bearing, such as raceway.inputs.bearing('6208')"
+            f"bearing is {bearing!r}; it must be a Bearing, such as raceway.inputs.bearing('6208')"
         )
     force = np.array(
         [radial_load * np.cos(load_azimuth), radial_load * np.sin(load_azimuth), axial_load], float
