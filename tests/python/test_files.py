@@ -90,7 +90,7 @@ def claims(path, shape, kind="<f8", **others):
 @pytest.mark.parametrize(
     "shape, kind, message",
     [
-        ((40000, 40000), "<f8", "40000 x 40000; it can have at most 6000 rows"),
+        ((40000, 40000), "<f8", "40000 x 40000; it must have at most 6000 rows"),
         ((2, 2, 2), "<f8", "must have"),
         ((2, 2), "|V1000000000", "real numbers"),
         ((2, 2), "|O", "real numbers"),
