@@ -101,4 +101,6 @@ def _check_sizes(path):
                 raise ValueError(f"'{name}' has type {kind}; it must contain real numbers")
             if len(shape) > 2 or max(shape, default=0) > ROWS:
                 size = " x ".join(map(str, shape))
-                raise ValueError(f"'{name}' is {size}; it must have at most {ROWS} rows and columns")
+                raise ValueError(
+                    f"'{name}' is {size}; it must have at most {ROWS} rows and columns"
+                )
