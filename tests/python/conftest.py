@@ -48,6 +48,6 @@ def dry_folder(tmp_path, written):
 
 @pytest.fixture
 def small_blocks(monkeypatch):
-    """Read records in blocks of a few samples, because results must not depend on where blocks
-    end."""
+    """Read records in blocks of a few samples: the results must not depend on the block
+    boundaries."""
     monkeypatch.setattr("raceway.runs.record.BLOCK", 60_000)

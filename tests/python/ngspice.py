@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run ngspice, as the shared library from Debian's libngspice0, in a separate process."""
+"""Run ngspice (the shared library of Debian's libngspice0) in a separate process."""
 
 import ctypes
 import subprocess

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write the record of a run without a simulation: every sample is a solution of statics, with
-rolling without slip and the film formulas."""
+"""Write the record of a run without a simulation. Every sample is a solution of statics with balls
+that roll without slip and with the film formulas."""
 
 import re
 
@@ -25,7 +25,7 @@ MECHANICAL = (
 LUBRICATED = MECHANICAL + "h_min h_c lambda regime capacitance".split()
 BALL_COLUMNS = "id type x y z vx vy vz omegax omegay omegaz".split()
 RING_COLUMNS = "step time x y z vx vy vz spin fx fy fz mx my mz".split()
-LOSS = (1e-6, 2e-6)  # W per N of load: friction loss and damping loss (arbitrary values)
+LOSS = (1e-6, 2e-6)  # W/N, friction loss and damping loss per unit of load (arbitrary values)
 OIL = {
     "viscosity_Pa_s": 0.04,
     "pressure_viscosity_per_Pa": 22e-9,
@@ -50,8 +50,8 @@ def run(
     cage = spin * kinematics.frequencies(bearing).cage
     sample_s = 2 * np.pi / bearing.balls / cage / samples_per_pass
     z, inner_ring, outer_ring = bearing.balls, 2 * bearing.balls + 1, 2 * bearing.balls + 2
-    contacts, balls, rings = [], [], []  # mz is the shaft torque that supplies the power losses
-    for sample in range(passes * samples_per_pass + 1):  # both ends of the window
+    contacts, balls, rings = [], [], []  # mz is the shaft torque that supplies the dissipated power
+    for sample in range(passes * samples_per_pass + 1):  # both ends of the measured window
         state = static.equilibrium(
             bearing,
             load,
@@ -155,7 +155,8 @@ def _atoms(bearing, state, cage, spin, inner_ring, outer_ring):
     for kind, offset in ((1, 0.0), (2, np.pi / z)):
         for i, azimuth in enumerate(state.azimuth + offset):
             x, y = radius * np.cos(azimuth), radius * np.sin(azimuth)
-            turn = cage * (1 if kind == 1 else 7)  # the speed of cage balls must not matter
+            # the results must not depend on the speed of cage balls
+            turn = cage * (1 if kind == 1 else 7)
             own = cage - spin * kinematics.frequencies(bearing).spin
             rows.append([i + 1 + (kind - 1) * z, kind, x, y, 0, -turn * y, turn * x, 0, 0, 0, own])
     rows.append([inner_ring, 3, *state.shift, 0, 0, 0, 0, 0, spin])
@@ -164,12 +165,12 @@ def _atoms(bearing, state, cage, spin, inner_ring, outer_ring):
 
 
 def changed(data, **settings):
-    """Return `data` in which some settings are replaced."""
+    """Return `data` with some of its settings replaced."""
     return {**data, "settings": {**data["settings"], **settings}}
 
 
 def spoil(folder, pattern, replacement):
-    """Replace a line in run.yaml."""
+    """Replace the line of run.yaml that matches `pattern`."""
     path = folder / "run.yaml"
     text, count = re.subn(pattern, replacement, path.read_text(), count=1, flags=re.MULTILINE)
     assert count == 1
@@ -192,8 +193,9 @@ MASS = 8.2e-3  # kg, mass of a ball
 
 def write(folder, data, end=True):
     """Write `data`, as returned by `run`, to `folder`: record.nc in the layout of fix
-    bearing/record, and run.yaml. Each row of `rings` is a sample. Contacts and balls are repeated
-    from the start after their last frame. If `end` is false, the run is marked as still active."""
+    bearing/record, and run.yaml. Each row of `rings` is a sample. When the frames of contacts and
+    balls are exhausted, they are repeated from the start. If `end` is false, the run is marked as
+    still active."""
     folder.mkdir(parents=True, exist_ok=True)
     settings = data["settings"]
     words = {"title": "ball bearing run", **{name: settings[name] for name in WORDS}, "axis": "z"}
@@ -207,7 +209,7 @@ def write(folder, data, end=True):
     with netCDF4.Dataset(folder / "record.nc", "w", format="NETCDF3_64BIT_OFFSET") as file:
         file.setncatts(words | numbers)
         samples = _fill(file, data, end)
-    # write all samples at once: netCDF would write each variable of each sample separately
+    # write all samples at once, because netCDF would write each variable of each sample separately
     with open(folder / "record.nc", "r+b") as file:
         file.seek(4)
         file.write(len(samples).to_bytes(4, "big"))
@@ -303,7 +305,7 @@ _ATOM = {
 
 
 def _kind(settings, caged):
-    """Return {name in the file: value} for the properties of the bearing."""
+    """Return {name in the file: value} for the constant properties of the bearing."""
     of = {column["name"]: np.nan for column in TABLES["kind"]}
     known = {name.rsplit("_", 1)[0]: value for name, value in settings.items() if name in NUMBERS}
     of |= {name: value for name, value in known.items() if name in of}

@@ -16,8 +16,8 @@ BINS = 12
 
 @pytest.fixture
 def run(folder, small_blocks):
-    """Return a run that is read in blocks of a few samples, because results must not depend on
-    where blocks end."""
+    """Return a run that is read in blocks of a few samples: the results must not depend on the
+    block boundaries."""
     return raceway.open(folder)
 
 
@@ -123,8 +123,8 @@ def test_losses(run, lubricated):
 
 
 def test_torque_of_a_ring_that_turns_the_other_way(tmp_path, lubricated):
-    """In the mirror image, the spin and the moment change sign, but the resisting torque and the
-    power do not."""
+    """In the mirror image, the spin and the moment change sign, whereas the resisting torque and
+    the power remain the same."""
     mirrored = [[*ring[:8], -ring[8], *ring[9:14], -ring[14]] for ring in lubricated["rings"]]
     one = losses.losses(raceway.open(synthetic.write(tmp_path / "a", lubricated)))
     two = losses.losses(

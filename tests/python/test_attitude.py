@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The rotation of a ball that touches both raceways: the rate of change of its angular momentum is
+"""The rotation of a ball that touches both raceways. The rate of change of its angular momentum is
 compared with the moments of its contacts, computed with vectors, and the limits of a light and a
 heavy ball are tested."""
 
@@ -14,7 +14,7 @@ RING, STEEL = 1047.2, 7800.0
 
 
 def drawn(balls=40):
-    """Return contacts (2, Z) of balls that range from firmly held to sliding grossly."""
+    """Return contacts (2, Z) of balls that range from firmly held to grossly sliding."""
     draw = np.random.default_rng(3)
     angle = draw.uniform((0.3, 0.1), (0.9, 0.6), (balls, 2)).T
     load = 10 ** draw.uniform(0.7, 3.3, balls) * np.array([[1.0], [1.2]])
@@ -80,7 +80,7 @@ def test_friction_across_follows_the_law_of_slip():
 
 
 def test_light_balls_only_spin():
-    """Without inertia, the spin moments are in balance and no contact slides across its groove."""
+    """Without inertia, the spin moments balance and no contact slides across its groove."""
     contacts = drawn()
     motion = found(density=1e-3, **contacts)
     turn = attitude.rolling(BODY, contacts["angle"], RING)[1][1:]

@@ -51,16 +51,16 @@ def test_least_power_of_linear_programming():
 def test_light_contacts_are_drawn_over_by_the_heavy_ones():
     """Under a thrust, the ball rolls on one inner and one outer groove. In addition to its spin, it
     rotates relative to the cage about an axis perpendicular to the line through both contacts. At
-    the other two grooves, the surface of the ball therefore moves cos(2 alpha) times as fast, and
-    the entrainment speed of the film is the mean of this speed and the speed of the ring."""
+    the other two grooves, the surface speed of the ball is therefore cos(2 alpha) times as large,
+    and the entrainment speed of the film is the mean of this speed and the speed of the ring."""
     state = static.equilibrium(FOUR, axial_load=2000.0, clearance=5e-6)
     entrained, rolling = ball_motion.speeds(FOUR, RING, state)
     heavy, alpha = [1, 2], state.inner.angle[1, 0]
     own = RING * PITCH * (1 - (R * np.cos(alpha) / PITCH) ** 2) / 2
     assert entrained[heavy] == pytest.approx(np.full((2, 9), own), rel=1e-9)
     assert rolling[heavy] == pytest.approx(entrained[heavy], rel=1e-9)
-    # for the lightly loaded outer contact, whose angle is measured from the line of the heavy
-    # contacts
+    # for the lightly loaded outer contact, whose angle is measured from the line through the
+    # heavily loaded contacts
     other = -state.outer.angle[1, 0]
     drawn = own * (1 + np.cos(alpha + other)) / 2
     # the ball spins on one of the raceways at the ring's speed multiplied by the sine
@@ -72,8 +72,8 @@ def test_light_contacts_are_drawn_over_by_the_heavy_ones():
 @pytest.mark.parametrize("law", friction_torque.SPIN_LAWS)
 def test_four_points_lose_little_more_than_their_spin(law):
     """Under preload alone there are four equal contacts, which spin as in the first test. The power
-    dissipated by combined slip and spin is less than the sum of the powers for slip and spin
-    treated separately, but the difference is less than a fifth."""
+    dissipated by combined slip and spin is smaller than the sum of the powers for slip and spin
+    treated separately, but by less than a fifth."""
     state = static.equilibrium(FOUR, clearance=-20e-6)
     path = catalogue.find("lubricants", "vg46")
     oil, fluid = inputs.oil(path), inputs.fluid(path)

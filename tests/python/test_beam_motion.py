@@ -73,7 +73,7 @@ def test_reduced_keeps_the_rigid_body(rotor):
 
 
 def test_static_deflection_is_exact(rotor):
-    """Loads at retained nodes cause the same displacements with any number of modes."""
+    """Loads at retained nodes cause the same displacements for any number of modes."""
     whole = rotor[1]
     load = np.zeros(45)
     load[20], load[21] = 500.0, -200.0
@@ -84,8 +84,8 @@ def test_static_deflection_is_exact(rotor):
 
 
 def test_cantilever():
-    """The natural frequencies of a thin clamped beam are 1.8751^2 sqrt(EI/(rho A L^4)) and the next
-    two of this series."""
+    """The first natural frequency of a thin clamped beam is 1.8751^2 sqrt(EI/(rho A L^4)), and the
+    next two follow from the known series."""
     z, pieces = beam.divided([Section(1.0, 0.01)], np.linspace(0, 1, 21))
     whole = beam_motion.matrices(z, pieces)
     springs = np.zeros_like(whole.stiffness)

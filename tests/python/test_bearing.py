@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The geometry of a bearing agrees with its curvature sums, and impossible geometries are
-rejected."""
+"""The geometry of a bearing agrees with its curvature sums, and bearings with impossible dimensions
+are rejected."""
 
 import dataclasses
 

@@ -21,8 +21,8 @@ DEEP, ANGULAR, FOUR_POINT = (
     [row for row in TABLE if row["kind"] == kind]
     for kind in ("deep groove", "angular contact", "four-point contact")
 )
-# Ratio of the value of C stated by the maker to the value of C that ISO 281 gives for the balls. A
-# ratio of 1 gives the same balls for the three contact angles that JTEKT offers in one size. For
+# Ratio of the value of C stated by the maker to the value that ISO 281 gives for the balls. With a
+# ratio of 1, the same balls result for the three contact angles that JTEKT offers in one size. For
 # SKF's 6205, with the balls measured by CWRU, the ratio is 1.06. With a ratio of 1, the balls of
 # the QJ bearings have the diameters that GMN states for 7207, 7208, 7209 and 7210.
 DYNAMIC_FACTOR = {"SKF": 1.05, "SKF QJ": 1.0, "JTEKT": 1.0}
@@ -150,7 +150,7 @@ def test_ratings_of_the_balls(name):
 
 def test_contact_angles_of_a_size_have_the_same_balls():
     """The rule uses the ratings at a single contact angle, but JTEKT states ratings for three. In
-    22 sizes, all three angles give the same balls. As far as ratings can show, the maker therefore
+    22 sizes, all three angles give the same balls. As far as ratings can tell, the maker therefore
     uses these balls."""
     for size in {row["name"][:4] for row in ANGULAR}:
         found = {
@@ -178,7 +178,7 @@ def test_another_maker_has_the_same_number_of_balls():
     assert other == {"6009": 13, "6010": 14, "6209": 9, "6305": 8}
 
 
-# mm; None if the number is missing in the text layer of the catalogue
+# mm, None if the number is missing in the text layer of the catalogue
 GMN = {
     "6201": (5.953, 22.0),
     "6202": (5.953, 25.3),

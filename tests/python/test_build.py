@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The commands that `make` plans: `make run` builds only LIGGGHTS, and host-dependent sources share
-compilation units."""
+"""The commands that `make` plans are checked: `make run` builds only LIGGGHTS, and host-dependent
+sources share compilation units."""
 
 import re
 import subprocess
@@ -64,7 +64,7 @@ def test_every_source_is_compiled_once_for_a_host(everything):
 
 
 def test_an_edit_of_one_part_makes_few_objects_again(everything):
-    """An edit to one part causes only a few objects, counted over all hosts, to be rebuilt. The
+    """After an edit to one part, only a few objects, counted over all hosts, are rebuilt. The
     compiler lists the headers of each object during the build."""
     again = [
         made

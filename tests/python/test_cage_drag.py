@@ -57,8 +57,8 @@ def test_sum_and_nothing(bearing):
 
 
 def test_shear_at_a_contact_angle(bearing):
-    """The ball's spin has a component about the axis of the pocket, and for this component the
-    resistance is twice as large."""
+    """The ball's spin has a component about the axis of the pocket, for which the resistance is
+    twice as large."""
     angle = 0.5
     flat, tilted = (power(bearing, cage(bearing, "shear"), a) for a in (0.0, angle))
     spins = [kinematics.frequencies(bearing, a, SPEED).spin for a in (0.0, angle)]
@@ -77,8 +77,8 @@ def test_torque_of_statics_has_the_cage():
 
 
 def test_cage_of_the_commands(capsys, monkeypatch):
-    """In the commands static and heat, `--cage ring` causes larger losses than a chain, and the
-    losses decrease as the play increases."""
+    """In the commands static and heat, `--cage ring` causes larger losses than a cage that is a
+    chain of balls, and the losses decrease as the play increases."""
     monkeypatch.chdir(ROOT)
     words = ["--load", "1000", "--rpm", "9549", "--lubricant", "vg32", "--json"]
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The gap around a contact as a capacitor is tested: integrals are compared with each other and
-with published values, and closed-form expressions with the integrals."""
+"""The gap around a contact as a capacitor: integrals are compared with each other and with
+published values, and closed-form expressions are compared with the integrals."""
 
 import sys
 from pathlib import Path
@@ -34,7 +34,7 @@ def rigid(bearing, raceway, separation, widths, angle=0.0):
     return capacitance_outside.rigid(ellipse, r_x, bearing.ball_radius, groove, separation, widths)
 
 
-# integral I in mm across a parabola from -width to +width, for each entry of SEPARATIONS, computed
+# integral I in mm over a parabola from -width to +width, for each entry of SEPARATIONS, as computed
 # by an independent program
 @pytest.mark.parametrize(
     ("name", "raceway", "width", "load", "a", "b", "printed"),
@@ -65,7 +65,7 @@ def test_printed_integrals(bearing, name, raceway, width, load, a, b, printed):
     assert form == pytest.approx(printed, rel=0.011)
 
 
-ARC = [  # I in mm at 900 N: integral and closed-form value
+ARC = [  # integral and closed-form value of I in mm at 900 N
     (INNER, 5.850, (3434, 2703, 1825, 1338), (3410.1, 2685.3, 1814.7, 1330.3)),
     (OUTER, 5.614, (4135, 3258, 2205, 1617), (4100.2, 3234.7, 2192.2, 1609.1)),
 ]
@@ -177,9 +177,8 @@ def test_at_a_contact_angle(bearing, angle):
 
 
 def test_a_wide_ellipse_beside_its_shoulder():
-    """Only the part of the groove outside the ellipse counts: under 3 kN the ellipse fills 0.93 of
-    a tight groove. If the whole groove were counted, the closed-form value would be 3 % too
-    large."""
+    """Only the part of the groove outside the ellipse counts. Under 3 kN, the ellipse fills 0.93 of
+    a tight groove. If the whole groove counted, the closed-form value would be 3 % too large."""
     load, separation, depth = 3000.0, 2e-6, 0.18 * 7.938e-3
     bearing = capacitance_error.bearing("7.938 mm", 0.505)
     ellipse = hertz.exact(*bearing.effective_radii(INNER))
@@ -248,8 +247,8 @@ def test_permittivity_of_a_film():
 @pytest.mark.parametrize("row", [("12.6 mm", 0.505, OUTER), ("3.968 mm", 0.54, OUTER),
                                  ("7.938 mm", 0.505, INNER)])  # fmt: skip
 def test_the_closed_form_keeps_its_promise(row):
-    """Even in the worst rows of tests/bench/capacitance_error.py the error of the closed-form value
-    is below the stated bound."""
+    """Even in the worst rows of tests/bench/capacitance_error.py, the error of the closed-form
+    value is below the stated bound."""
     assert capacitance_error.errors(*row).inside < capacitance_error.PROMISE
 
 

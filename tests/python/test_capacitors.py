@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The capacitors of a whole bearing agree with published values and limits, and their transition at
-the loss of contact is tested."""
+"""The capacitors of a whole bearing agree with published values and limits, and the transition when
+contact is lost is tested."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from raceway.theory.capacitors import Filling
 from raceway.theory.validity import Shoulders
 
 OIL = Oil(viscosity=0.03, pressure_viscosity=18e-9, permittivity=2.2, roughness=1e-7)
-SHOULDERS = Shoulders(2 * 26.3e-3, 2 * 34.3e-3)  # m; the grooves are 2.3 mm deep
+SHOULDERS = Shoulders(2 * 26.3e-3, 2 * 34.3e-3)  # m, for grooves that are 2.3 mm deep
 
 
 def point(bearing, load, rpm, clearance, filling, **options):
@@ -51,8 +51,8 @@ def test_heavy_load(heavy, kind, balls, whole):
 
 @pytest.mark.parametrize(("kind", "whole"), [("flooded", 101), ("cavitated", 77)])
 def test_light_load_at_high_speed(bearing, kind, whole):
-    """The plates alone are wrong by a factor of ten. The capacitance of an unloaded ball is 7 to 13
-    pF in flooded gaps and 5 to 10 pF in cavitated gaps."""
+    """The capacitance of the plates alone is wrong by a factor of ten. The capacitance of an
+    unloaded ball is 7 to 13 pF in flooded gaps and 5 to 10 pF in cavitated gaps."""
     quiet, found = point(bearing, 400, 6000, 12e-6, Filling(kind, shoulders=SHOULDERS))
     assert quiet == pytest.approx(15.4, abs=0.05)
     assert 1e12 * found.plates == pytest.approx(9.4, abs=0.06)
@@ -89,8 +89,8 @@ def test_plates_are_the_paper_s(bearing, heavy):
 
 
 def test_through_loss_of_contact(bearing):
-    """Around the loss of contact, the separation is constant and the capacitance is continuous.
-    Without the quiet load of the ball, the film thickness would grow without bound."""
+    """When contact is lost, the separation is constant and the capacitance is continuous. Without
+    the quiet load of the ball, the film thickness would grow without bound."""
     r_x, r_y = bearing.effective_radii(INNER)
     kappa, modulus = hertz.exact(r_x, r_y).kappa, bearing.effective_modulus
     speed = kinematics.entrainment(bearing, 50.0, 0.0)

@@ -31,7 +31,7 @@ def names(capsys, *arguments):
 
 
 def test_one_bearing(capsys):
-    """The data of the 6205 are the values that SKF and CWRU state, in SI units."""
+    """The data of the 6205 are those stated by SKF and CWRU, in SI units."""
     [row] = found(capsys, "6205")
     assert row == {
         "name": "6205",
@@ -92,8 +92,8 @@ def test_table_and_csv(capsys):
 
 
 def test_clearances(capsys):
-    """By ISO 5753, the clearance C3 of a bearing with a 40 mm bore is 15 to 33 um. Bearings with a
-    contact angle have no clearance class."""
+    """According to ISO 5753, the C3 clearance of a bearing with a 40 mm bore is 15 to 33 um.
+    Bearings with a contact angle have no clearance class."""
     rows = found(capsys, "--bore", "40", "--clearances")
     deep, angular = (next(r for r in rows if r["name"] == name) for name in ("6208", "7208B"))
     assert (deep["clearance_C3_least_m"], deep["clearance_C3_largest_m"]) == (15e-6, 33e-6)
@@ -166,8 +166,8 @@ def test_message_of_many_names():
 
 
 def test_page_shows_what_is_printed(capsys, tmp_path):
-    """docs/catalogue.rst shows the table as printed. The last Python example on the page gives the
-    stated balls, and the one-row table on the page can be read."""
+    """The table in docs/catalogue.rst is the table that the command prints. The last Python example
+    on the page gives the stated balls, and the one-row table on the page can be read."""
     page = (ROOT / "docs" / "catalogue.rst").read_text()
     command, _, rest = page.partition("$ .venv/bin/raceway ")[2].partition("\n")
     shown = [line[3:] for line in rest.partition("\n\n*Z*")[0].splitlines()]

@@ -35,7 +35,7 @@ def test_exact_circle_is_the_nearest_of_its_points():
         k = int(np.argmin(squared))
         low, mid, high = squared[[k - 1, k, k + 1]]
         least = mid - (high - low) ** 2 / (8 * (high - 2 * mid + low))
-        # the parabola's error in the squared distance is (step r)^4/s^2, a relative 1e-9 here
+        # the parabola's error in the squared distance is (step r)^4/s^2, here a fraction of 1e-9
         assert distance**2 == pytest.approx(least, rel=1e-7)
         assert line == pytest.approx(
             (centre - points[k]) / np.sqrt(mid), abs=2 * np.pi / 40000 * RADIUS / distance
@@ -43,7 +43,7 @@ def test_exact_circle_is_the_nearest_of_its_points():
 
 
 def test_straight_circle_is_harris():
-    """A_1 is the displacement along z plus tilt times radius, and A_2 the radius plus the
+    """A_1 is the displacement along z plus tilt times radius, and A_2 is the radius plus the
     displacement along the ball's radius (Harris, ch. 7)."""
     x, y, z, tx, ty = PLACE
     reach = circle.straight(BALL, PLACE, AZIMUTH, RADIUS)

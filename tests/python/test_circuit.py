@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The circuit of a bearing without breakdown is compared with closed-form solutions; intermediate
+"""The circuit of a bearing without breakdown is compared with closed-form solutions. Intermediate
 points and leakage are tested too."""
 
 import numpy as np
@@ -67,7 +67,7 @@ def test_without_breakdown_it_is_series_and_parallel(outer):
 
 
 def test_both_ways_to_solve_agree():
-    """With negligible leakage the staged method gives the same points."""
+    """With negligible leakage, the staged method gives the same points."""
     plain = circuit.run(turning(), MOTOR, WEAK)
     staged = circuit.run(turning(conductance=1e-30), MOTOR, WEAK)
     assert len(plain.events) > 10 and (plain.events.ball == staged.events.ball).all()
@@ -104,8 +104,8 @@ def test_a_film_relaxes_with_its_resistivity_times_permittivity():
 
 
 def exact(given, outer):
-    """Return the voltages of the inner ring (n,), computed by scipy's integrator with charges as
-    unknowns; C and G vary linearly between points."""
+    """Return the voltages (n,) of the inner ring, computed by scipy's integrator with the charges
+    as unknowns; C and G vary linearly between points."""
 
     def voltages(t, charge):
         at = [
@@ -137,7 +137,7 @@ def exact(given, outer):
 
 
 def test_leak_and_resistance_are_of_second_order():
-    """Halving the step reduces the difference from scipy's integrator to a quarter."""
+    """If the step is halved, the difference from scipy's integrator falls to a quarter."""
     outer = Source(Sine(10.0, 150.0), 2e7, 20 * PICO)
     coarse = turning(n=41, z=2)
     tau = np.array([4e-3, 7e-3]).reshape(1, 2, 1)
@@ -161,6 +161,6 @@ def test_a_metal_contact_shorts_its_film_without_ringing():
     film = data.film_voltage.to_numpy()
     shorted = np.abs(film[5:, 1, 0])
     assert (shorted < 1e-5).all()
-    assert (np.diff(shorted) <= 1e-17).all()  # except for rounding errors relative to 10 V
+    assert (np.diff(shorted) <= 1e-17).all()  # except for the rounding errors of 10 V
     # the two films of ball 2 still share its voltage in inverse proportion to their capacitances
     np.testing.assert_allclose(film[:, 1, 1] / film[:, 0, 1], 50 / 80, rtol=1e-12)

@@ -21,7 +21,7 @@ WEAK = Breakdown(30e6)
 
 
 def redistribute(capacitance, outer, ball_charge, ring_charge, broken):
-    """Return (voltages of the balls, voltage of the ring); `outer` is (parallel, coupling,
+    """Return the voltages of the balls and the voltage of the ring; `outer` is (parallel, coupling,
     driving)."""
     ball, ring = np.empty(len(ball_charge)), np.empty(1)
     core.library().call(
@@ -44,7 +44,7 @@ def test_a_film_that_fails_by_hand():
     given = steady([20 * PICO, 60 * PICO], [30 * PICO, 60 * PICO], thickness=thickness)
     result = circuit.run(given, Floating(10.0, 10 * PICO), Breakdown(50e6))
     (event,) = result.events.itertuples()
-    # two balls of 12 and 30 pF, and 10 pF in parallel, so the charge on the ring is 520 pC
+    # two balls of 12 and 30 pF and 10 pF in parallel hold a charge of 520 pC on the ring
     assert (event.ball, event.raceway, event.order) == (1, "inner", 1)
     assert event.film_voltage == pytest.approx(6.0)  # the breakdown voltage is 5 V
     assert event.bearing_voltage_after == pytest.approx(520 / (30 + 30 + 10))
@@ -100,8 +100,8 @@ def test_other_balls_keep_their_charge():
 
 @pytest.mark.parametrize("seed", range(6))
 def test_charges_redistribute_as_a_network_of_conductors(seed):
-    """The result equals that of a dense system of equations in which the charge through every
-    broken film is an unknown."""
+    """The result equals that of a dense system of equations whose unknowns include the charge
+    through every broken film."""
     rng = np.random.default_rng(seed)
     z = 5
     capacitance, charge = rng.uniform(10, 90, (2, z)) * PICO, rng.normal(0, 100, z) * PICO
@@ -126,7 +126,7 @@ def test_charges_redistribute_as_a_network_of_conductors(seed):
 
 
 def test_threshold_is_where_it_fails():
-    """Just below the threshold voltage computed from the samples no film fails; just above it one
+    """Just below the threshold voltage computed from the samples, no film fails; just above it, one
     film fails."""
     given = turning()
     least = circuit.run(given, Source(Constant(0.0), 1.0), WEAK).data.threshold_voltage
@@ -164,8 +164,8 @@ def test_events_have_units_and_places():
 
 
 def test_current_of_a_failure():
-    """If the inner film of one ball fails, its own capacitance discharges in parallel with that of
-    the outer film and the remaining capacitance in series."""
+    """If the inner film of one ball fails, the film's own capacitance discharges, together with
+    that of the outer film in series with the remaining capacitance."""
     inner, outer, rest, arc = 60 * PICO, 40 * PICO, 25 * PICO, 3.0
     given = steady([inner], [outer], thickness=np.array([[[100e-9], [900e-9]]]))
     events = circuit.run(given, Floating(10.0, rest), Breakdown(35e6, "smooth", arc=arc)).events

@@ -70,8 +70,8 @@ def test_figures(folder):
 
 
 def test_films_at_the_floor(folder):
-    """At 477.5 rpm the films are thinner than three times the roughness, so they are at the
-    floor."""
+    """At 477.5 rpm, the films are thinner than three times the roughness, so their local thickness
+    is at the floor."""
     run = raceway.open(folder)
     data, _ = result = circuit.run(run, Source(Constant(20.0), 1e7), Breakdown(30e6, floor=2e-9))
     thin = (run.contacts.h_c <= 3 * 1.5e-7 + 2e-9).sum() / run.contacts.h_c.notnull().sum()

@@ -12,8 +12,8 @@ from raceway.electric.waveforms import Sine
 
 @pytest.mark.parametrize("name", [name for name in CASES if name != "open film"])
 def test_charge_is_conserved(name):
-    """The charges transported by the currents equal the charges calculated from the voltages to
-    within rounding."""
+    """The charges transported by the currents equal the charges calculated from the voltages, to
+    rounding error."""
     given, outer, breakdown = CASES[name]
     result = circuit.run(given, outer, breakdown, points=1)
     assert breakdown is None or len(result.events)
@@ -39,8 +39,8 @@ def test_energy_is_balanced(name):
 
 
 def test_each_term_of_the_energy_is_of_second_order():
-    """The errors are taken relative to steps that are 32 and 64 times shorter, because the energy
-    balance itself is satisfied identically."""
+    """The errors are taken relative to solutions with 32 and 64 times as many steps, because the
+    energy balance itself is satisfied identically."""
     given = turning(n=41, z=3, conductance=2e-9)
     outer = Source(Sine(10.0, 150.0), 1e6)
     names = ["source_work", "mechanical_work", "leak_heat", "resistor_heat"]

@@ -18,7 +18,7 @@ def test_common_mode_has_four_levels():
     time = np.linspace(0, 0.1, 20001)
     voltage = CommonMode(600.0, 1050.0, 50.0, 0.9)(time)
     assert np.allclose(np.unique(voltage.round(9)), [-300, -100, 100, 300])
-    # without modulation all inverter legs switch together, and each leg is high for half of the
+    # without modulation, all inverter legs switch together, and each leg is high for half of the
     # time
     plain = CommonMode(600.0, 1000.0, 50.0, 0.0)(time + 1e-7)
     assert set(np.unique(plain)) == {-300, 300} and abs(plain.mean()) < 1

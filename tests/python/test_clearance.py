@@ -10,7 +10,7 @@ from raceway import clearance
 
 @pytest.mark.parametrize("groove", [6.804e-3, 6.93e-3, 7.056e-3, 7.182e-3])  # table A.1
 def test_free_angle_and_endplay_close_the_triangle(bearing, groove):
-    """The line between the groove centres has the length C; its radial component is C minus half
+    """The line between the groove centres has the length C. Its radial component is C minus half
     the clearance, and its axial component is half the endplay."""
     open_groove = dataclasses.replace(bearing, inner_groove=groove, outer_groove=groove)
     c, pd = clearance.groove_distance(open_groove), 60e-6

@@ -55,7 +55,7 @@ with ThreadPoolExecutor(8) as pool:
 
 
 def test_threads_read_a_table_at_once():
-    """The library generates the text of a table only once. `raceway.simulate` used to fail when two
-    threads generated it at the same time."""
+    """The library generates the text of each table only once. `raceway.simulate` used to fail if
+    two threads generated it at the same time."""
     done = subprocess.run([sys.executable, "-c", AT_ONCE], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr

@@ -61,7 +61,7 @@ def test_a_run_beside_itself(tmp_path, run):
 
 
 def test_another_speed_has_the_same_orders(tmp_path, run):
-    """The recording is treated as if it had been made at twice the speed and twice the rate."""
+    """The recording is treated as if it had been made at twice the speed and rate."""
     path, rate = write(tmp_path, run)
     rpm = 2 * run.motion.shaft * 30 / np.pi
     fast = recording.Recording(path, run.geometry, rpm=rpm, rate=2 * rate)

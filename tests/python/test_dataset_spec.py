@@ -40,7 +40,7 @@ def test_every_flaw_under_all_conditions(tmp_path):
     assert last.labels["flaw"] == "outer" and last.labels["seed"] == 2
     assert last.point.variables["flaw_outer"] == "notch 0 0.001 0.001 0.0003 5e-05"
     assert last.point.variables["load"] == "1000" and last.point.variables["settle"] == "2"
-    # half a second plus the length of the filter, expressed in ball passes
+    # half a second plus the length of the filter, converted to ball passes
     assert int(last.point.variables["passes"]) == np.ceil((0.5 + 128 / 12000) * 107.365)
     assert "flaw_outer" not in found[0].point.variables
 

@@ -159,8 +159,8 @@ def test_summary(folder):
 
 
 def test_growing_run(tmp_path, lubricated):
-    """Every dataset contains the samples that were present when the run was first read; a later
-    read contains more samples."""
+    """Every dataset contains the samples that were present when the run was first read. A later
+    read sees more samples."""
     rings = lubricated["rings"]
     folder = synthetic.write(tmp_path / "run", {**lubricated, "rings": rings[:30]}, end=False)
     run = raceway.open(folder)

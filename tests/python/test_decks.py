@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway decks` copies every file that it lists, and never overwrites a file of the user."""
+"""`raceway decks` copies every file that it lists, and never overwrites a user's file."""
 
 from pathlib import Path
 

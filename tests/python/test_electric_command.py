@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tests of `raceway electric` and its functions: agreement of the results with each other and with
-statics, films computed from measured values, pictures, messages and exit codes."""
+statics, films inferred from measured values, pictures, messages and exit codes."""
 
 import csv
 import json
@@ -81,8 +81,8 @@ def test_shoulders_are_the_file_s_unless_given(point):
 
 
 def test_threshold_is_where_the_field_is_the_strength(point):
-    """At the threshold voltage the largest field equals the dielectric strength; a rough film fails
-    at a lower voltage."""
+    """At the threshold voltage, the largest field equals the dielectric strength. A rough film
+    fails at a lower voltage."""
     found = electric_point.figures(point, Ask(strength=20e6))
     at = electric_point.figures(point, Ask(voltage=found["threshold_V"]))
     assert at["field_V_m"] == pytest.approx(20e6)
@@ -100,7 +100,7 @@ def test_threshold_is_where_the_field_is_the_strength(point):
 
 
 def test_warnings():
-    """An ellipse that extends beyond the shoulder and surfaces that touch cause warnings."""
+    """There is a warning if an ellipse extends beyond the shoulder, and if surfaces touch."""
     heavy = electric_point.solve("6208", "vg46", axial=20e3, clearance=20e-6, rpm=1500.0)
     assert any("reaches" in one for one in electric_point.figures(heavy)["warnings"])
     slow = electric_point.solve("6208", "vg46", load=3000.0, rpm=1.0)
@@ -111,7 +111,7 @@ def test_warnings():
 
 
 def test_impedance_and_leak(point):
-    """At a high frequency the impedance is capacitive; at a low frequency it equals the leakage
+    """At a high frequency, the impedance is capacitive; at a low frequency, it equals the leakage
     resistance."""
     capacitance = electric_point.figures(point)["capacitance_total_F"]
     fast = electric_point.figures(point, Ask(frequency=1e7, resistivity=1e9))
@@ -129,8 +129,8 @@ def test_dry_gaps_without_load_leak_nothing():
 
 
 def test_measured_capacitance_gives_the_film_back(point):
-    """The capacitance that the model computes for a given film thickness is converted back to this
-    thickness. If only the plates are considered, the film is too thin."""
+    """The capacitance that the model gives for a film thickness is converted back to that
+    thickness. If only the plates are considered, the resulting film is too thin."""
     for scale in (0.3, 1.0, 2.5):
         measured = point.capacitors(scale).total
         found = electric_point.figures(point, Ask(measured=measured))

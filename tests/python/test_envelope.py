@@ -49,8 +49,8 @@ def test_the_band_is_where_it_rings(noisy):
 
 
 def test_rate_of_the_blows(noisy):
-    """Without noise the rate is accurate to a thousandth of the resolution, which is 0.5 Hz; noise
-    adds a few hundredths."""
+    """Without noise, the rate is accurate to a thousandth of the resolution, which is 0.5 Hz; with
+    noise, it is accurate to a few hundredths."""
     band = envelope.best_band(noisy, 1 / RATE, narrowest=400)
     one = spectrum.spectrum(envelope.of_values(noisy, 1 / RATE, *band[:2]), 1 / RATE)
     found = spectrum.find(one, 107.3)
@@ -60,8 +60,8 @@ def test_rate_of_the_blows(noisy):
 
 
 def test_sidebands_of_what_modulates():
-    """A modulation 1 + d cos causes sidebands whose amplitude is d/2 times the amplitude of the
-    line between them."""
+    """A modulation 1 + d cos causes sidebands whose amplitude is d/2 times that of the line between
+    them."""
     signal = blows(160.0, carrier=25.0, depth=0.6)
     one = spectrum.spectrum(envelope.of_values(signal, 1 / RATE, 5e3, 9e3), 1 / RATE)
     middle, below, above = (spectrum.find(one, hertz) for hertz in (160.0, 135.0, 185.0))
@@ -70,7 +70,7 @@ def test_sidebands_of_what_modulates():
 
 
 def test_noise_is_not_impulsive():
-    """The kurtosis of N noise values has a scatter of 2/sqrt(N) and never reaches five times this
+    """The kurtosis of N noise values scatters by 2/sqrt(N) and never reaches five times this
     value."""
     noise = np.random.default_rng(4).normal(size=len(TIME))
     for band in envelope.bands(noise, 1 / RATE):

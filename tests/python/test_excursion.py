@@ -14,15 +14,15 @@ SPEED = 157.0
 
 
 def equilibrium(bearing, moment=(0.0, 0.0)):
-    """Return (bearing, its `Equilibrium` under a thrust of 3 kN)."""
+    """Return the bearing and its `Equilibrium` under a thrust of 3 kN and a `moment`."""
     body = inputs.bearing(catalogue.find("bearings", bearing))
     options = dict(moment=moment, held={}, ball_density=7800.0)
     return body, turning(body, SPEED, 0.0, 3000.0, **options)[0]
 
 
 def test_balls_run_ahead_by_the_integral_of_their_speeds():
-    """The excursion follows from the time that a ball takes to orbit the bearing, which is the
-    integral of a spline through the reciprocal speeds of the balls."""
+    """The excursion follows from the time that a ball takes to orbit the bearing, which is obtained
+    by integrating a spline through the reciprocal speeds of the balls."""
     body, state = equilibrium("7208B", (20.0, 0.0))
     found = excursion.excursion(body, state, SPEED)
     gamma = body.ball_radius / body.pitch_radius
@@ -59,7 +59,7 @@ def test_a_turned_moment_turns_the_excursion():
 
 
 def test_balls_that_are_held_back_press_with_their_traction():
-    """The force on the cage is at most the Coulomb friction on both raceways. It is smaller if the
+    """The force on the cage is at most the Coulomb friction on both raceways, and smaller if the
     pocket play is almost as large as the excursion."""
     body, state = equilibrium("7208B", (20.0, 0.0))
     load = state.inner.load + state.outer.load

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Output of `raceway export` is read back: VTK files with meshio, and extended XYZ files according
-to the specification of the format."""
+"""The output of `raceway export` is read back: VTK files with meshio, and extended XYZ files
+according to the specification of the format."""
 
 import re
 import xml.etree.ElementTree as ElementTree
@@ -76,11 +76,11 @@ def test_inner_raceway_moves_and_turns(folder, lubricated, tmp_path, bearing):
         way = np.arctan2(*(mesh.points[0, [1, 0]] - ring[2:4][::-1])) - np.arctan2(
             *at_rest[0, [1, 0]]
         )
-        # the error is two roundings of 25 mm to single precision
+        # the error is that of rounding 25 mm to single precision twice
         assert np.angle(np.exp(1j * (way - ring[10] * time))) == pytest.approx(0, abs=1e-4)
         assert mesh.points.astype(float).mean(axis=0)[:2] == pytest.approx(ring[2:4], abs=1e-8)
     still = meshio.read(listed[2][2])
-    # half of the clearance of 10 um; values have type float32
+    # half of the clearance of 10 um, with values of type float32
     assert np.hypot(*still.points[4, :2]) == pytest.approx(bearing.outer_radius + 5e-6, abs=4e-9)
 
 

@@ -78,7 +78,7 @@ def test_no_word_is_a_number(tmp_path, old, new):
 
 
 def claims(path, shape, kind="<f8", **others):
-    """Return an .npz file in which the header of M states `shape` although little data follows."""
+    """Return an .npz file whose header of M claims a `shape`, although little data follows."""
     head = io.BytesIO()
     np.lib.format.write_array_header_1_0(
         head, {"descr": kind, "fortran_order": False, "shape": shape}
@@ -90,11 +90,11 @@ def claims(path, shape, kind="<f8", **others):
 @pytest.mark.parametrize(
     "shape, kind, message",
     [
-        ((40000, 40000), "<f8", "40000 x 40000, must have at most 6000 rows"),
+        ((40000, 40000), "<f8", "40000 x 40000; it must have at most 6000 rows"),
         ((2, 2, 2), "<f8", "must have"),
         ((2, 2), "|V1000000000", "real numbers"),
         ((2, 2), "|O", "real numbers"),
-        ((100, 100), "<f8", "cannot read"),  # the data are too short
+        ((100, 100), "<f8", "cannot read"),  # there are too few data
     ],
 )
 def test_matrices_are_refused_by_their_header(tmp_path, shape, kind, message):

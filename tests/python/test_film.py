@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film thickness is compared with its logarithmic slopes, with Hamrock and Dowson's formula, and
-with values of eq 6 computed by hand."""
+"""Film thickness is compared with Hamrock and Dowson's formula and with values of eq 6 computed by
+hand, and its slopes are tested."""
 
 import numpy as np
 import pytest

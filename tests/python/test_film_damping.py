@@ -30,7 +30,7 @@ def top(bearing):
 def test_dashpot(top):
     k, h_c, _, elastic, _, b = top
     found = film_damping.dashpot(k, h_c, elastic, b, SPEEDS)
-    # the printed numbers were computed with the product of both constants rounded to 0.59
+    # the product of both constants was rounded to 0.59 for the printed numbers
     exact = 0.44 * 1.33
     assert found * 0.59 / exact == pytest.approx([659, 331, 219, 135], abs=0.5)
 
@@ -55,8 +55,8 @@ def test_step(top):
     assert one.stiffness == pytest.approx(0.44 * k * h_c / elastic, rel=1e-14)
     assert one.time == pytest.approx(1.33 * b / SPEEDS, rel=1e-14)
     approach = 1e-3
-    # two half steps equal one step; for a long step the force is that of the dashpot, for a short
-    # step that of the spring
+    # two half steps equal one step; for a long step, the force is that of the dashpot; for a short
+    # step, it is that of the spring
     half = film_damping.advance(5.0, one, approach, one.time / 2)[0]
     twice = film_damping.advance(half, one, approach, one.time / 2)[0]
     assert twice == pytest.approx(film_damping.advance(5.0, one, approach, one.time)[0], rel=1e-14)

@@ -94,8 +94,8 @@ def test_all_regimes_tend_to_their_asymptotes():
 
 
 def test_all_regimes_near_the_power_law_at_load(inner):
-    """As stated in section 2 of the theory, the film at loads typical of a 6208 is about 1.15 times
-    as thick as by the formula of Masjedi and Khonsari."""
+    """As stated in section 2 of the theory, at loads typical of a 6208 the film is about 1.15 times
+    as thick as according to the formula by Masjedi and Khonsari."""
     modulus, r_x, r_y, kappa, _ = inner
     for speed in SPEEDS:
         both = (

@@ -37,8 +37,8 @@ def test_field_and_threshold():
 
 
 def test_open_films():
-    """If one film is open, the entire voltage drops across it; if both are open, neither carries
-    any voltage."""
+    """If one film is open, the entire voltage drops across it; if both are open, there is no
+    voltage across either."""
     inner, outer = np.array([1e-10, 0.0, 0.0]), np.array([0.0, 1e-10, 0.0])
     assert film_voltage.shares(inner, outer).outer.tolist() == [1, 0, 0]
     found = film_voltage.ring_voltages((3.0, 4.0), inner, outer)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The first lines that a user types: data are given by name, results fit on a screen, and sizes in
-millimetres cause a warning."""
+"""The first lines that a user types work: data are given by name, results fit on a screen, and
+sizes in millimetres cause a warning."""
 
 import numpy as np
 import pytest

@@ -12,8 +12,8 @@ CAST_IRON, BRASS = Material(110e9, 0.25), Material(100e9, 0.34)
 
 
 def shrink_fit(radii, inner, outer, interference):
-    """Return the radial displacements at the first and the last of three radii for two tubes with a
-    radial `interference` at the middle radius. In each tube u = A r + B/r, and four conditions
+    """Return the radial displacements at the first and the last of three radii, for two tubes with
+    a radial `interference` at the middle radius. In each tube u = A r + B/r, and four conditions
     determine the constants."""
     first, middle, last = radii
 
@@ -57,8 +57,8 @@ def test_housing(bearing, outside, material):
 
 
 def test_same_steel(bearing):
-    """With a solid shaft and an infinite housing that are made of the same steel as the rings, only
-    the ratio of the diameters matters."""
+    """If a solid shaft and an infinite housing are made of the same steel as the rings, only the
+    ratio of the diameters matters."""
     ring = Material(bearing.young, bearing.poisson)
     same = {"shaft_material": ring, "housing_material": ring}
     both = fits.clearance_change(bearing, 40e-3, 80e-3, 8e-6, 5e-6, **same)

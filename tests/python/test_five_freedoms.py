@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equilibrium under moments and with fixed degrees of freedom is compared with independently
-written equations solved by scipy. Balance in space, derivatives and symmetries are tested too.
-Comparisons with published values are in test_published_bearings.py."""
+"""Equilibrium under moments and with held degrees of freedom is compared with independently written
+equations solved by scipy. Balance in space, derivatives and symmetries are tested too. Comparisons
+with published values are in test_published_bearings.py."""
 
 import numpy as np
 import pytest
@@ -53,13 +53,13 @@ def harris(
     phase=0.0,
     orbital_speed=0.0,
 ):
-    """Return (position (5,), Q_i and Q_o (grooves, Z), and the corresponding angles). They solve
-    Harris's simultaneous equations (ch. 7 and 9, without gyroscopic moment), with one term per
-    groove; the solver is scipy's.
+    """Return the position (5,), the loads Q_i and Q_o (grooves, Z), and the corresponding angles.
+    They solve Harris's simultaneous equations (ch. 7 and 9, without gyroscopic moment), with one
+    term per groove; the solver is scipy's.
 
-    The unknowns are the position of the ring and each ball's X_1, X_2, the axial and radial
-    distances of its centre from the centre of an outer groove in the middle of its row. Lengths are
-    in units of 0.1 mm and forces in units of 1 kN, so that `root` works with numbers near one.
+    The unknowns are the position of the ring and, for each ball, X_1 and X_2, the axial and radial
+    distances of its centre from the centre of an outer groove in the middle of its row. The units
+    are 0.1 mm for lengths and 1 kN for forces, so that `root` works with numbers near one.
     """
     layout, count = bearing.layout, bearing.balls
     psi = np.tile(phase + 2 * np.pi * np.arange(count) / count, len(layout.rows))
@@ -113,7 +113,7 @@ def harris(
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", LOADS)
 def test_against_harris_equations(bearing, name, kind):
-    """The equations are satisfied at our position. With one groove per ring, scipy's `root`
+    """Our position satisfies the equations. If there is one groove per ring, scipy's `root`
     converges to this position from a starting point 1 um and 0.1 mrad away."""
     bearing, case = KINDS[kind](bearing), LOADS[name]
     if kind != "one groove":  # the position of balls with play between four grooves is not unique
@@ -246,7 +246,7 @@ def test_gradient_and_hessian(bearing, finite_shift, kind):
 
 def test_stiffness_is_load_per_displacement(bearing):
     """One additional newton, or newton metre, along each degree of freedom moves the ring by the
-    inverse of `stiffness`; this matrix neglects the change of the contact stiffness with the
+    inverse of `stiffness`. This matrix neglects the dependence of the contact stiffness on the
     angle."""
     base = dict(radial_load=2000.0, axial_load=1000.0, moment=(10.0, -4.0), clearance=10e-6)
     state = static.equilibrium(bearing, **base)
@@ -284,8 +284,8 @@ def test_turning_and_mirroring(bearing):
 
 
 def test_held_tilt_gives_back_its_moment(bearing):
-    """Holding a tilt of 20 arc-minutes requires a moment, and applying this moment causes a tilt of
-    20 arc-minutes."""
+    """A moment is required to hold a tilt of 20 arc-minutes, and this moment, if applied, causes a
+    tilt of 20 arc-minutes."""
     tilt = np.radians(20 / 60)
     for finite_shift in (False, True):
         held = static.equilibrium(
@@ -312,7 +312,7 @@ def test_held_tilt_gives_back_its_moment(bearing):
 
 def test_imposed_displacement(bearing):
     """If the ring is held in all directions, the loads follow from the displacement by Hertz's
-    formula; the contacts of the ball on the load line are compressed by 30 um."""
+    formula. The contacts of the ball on the load line are compressed by 30 um."""
     state = static.equilibrium(bearing, held={"x": 30e-6, "y": 0, "z": 0, "rx": 0, "ry": 0})
     assert state.inner.overlap[0] + state.outer.overlap[0] == pytest.approx(30e-6, rel=1e-10)
     assert state.residual == 0
@@ -323,7 +323,7 @@ def test_imposed_displacement(bearing):
 def test_held_straight_is_the_default_and_needs_a_moment(bearing):
     straight = static.equilibrium(bearing, 2000.0, 1000.0, clearance=10e-6)
     assert np.all(straight.tilt == 0)
-    assert abs(straight.moment[1]) > 1  # radial and axial load together tend to tilt the ring
+    assert abs(straight.moment[1]) > 1  # combined radial and axial load tends to tilt the ring
     free = static.equilibrium(bearing, 2000.0, 1000.0, clearance=10e-6, moment=(0, 0))
     assert abs(free.tilt[1]) > 1e-4
     assert free.moment[:2] == pytest.approx([0, 0], abs=1e-8)
@@ -405,8 +405,8 @@ def test_wrong_hold(bearing, held, said):
     ],
 )
 def test_light_loads(bearing, case):
-    """Under loads of 1 N, the last digits of distances correspond to 1e-10 N, so the search ends
-    before it reaches the tolerance for the force."""
+    """Under loads of 1 N, a change in the last digit of a distance corresponds to 1e-10 N, so the
+    search ends before it reaches the tolerance for the force."""
     state = static.equilibrium(bearing, **case)
     assert state.residual < 1e-8
     load = np.array(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The page of each fix lists all elements of its vectors, from the C++ tables."""
+"""The page of each fix lists all elements of its vectors, as defined in the C++ tables."""
 
 from pathlib import Path
 

@@ -7,7 +7,8 @@ from raceway.core import library
 
 
 def search(g, x, values, reach=1e9, weights=None):
-    """Return (starting points x, results of the library after each evaluation of the map `g`)."""
+    """Return the points x at which the map `g` is evaluated, and the library's result after
+    each."""
     starts, images, said = [], [], []
     weights = np.ones(len(x)) if weights is None else weights
     for _ in range(values):
@@ -29,8 +30,8 @@ def search(g, x, values, reach=1e9, weights=None):
 
 
 def affine(seed=3, slow=(0.9, -0.8, 0.6), n=12):
-    """Return (map, its fixed point). The map has a few slow modes; all other modes converge after
-    one evaluation."""
+    """Return a map and its fixed point. The map has a few slow modes; all other modes converge
+    after one evaluation."""
     numbers = np.random.default_rng(seed)
     modes = numbers.normal(size=(n, n))
     shares = np.zeros(n)
@@ -60,7 +61,7 @@ def test_distance_is_the_way_to_the_fixed_point():
 
 
 def test_weights():
-    """The search also includes components of x with zero weight, but they do not affect the other
+    """The search also updates components of x with zero weight, but they do not affect the other
     components."""
     g, point = affine(slow=(0.9,))
     wide = lambda x: np.append(g(x[:12]), 1e6 * np.sin(1e3 * x[12]))  # noqa: E731
@@ -81,8 +82,8 @@ def test_reach():
 
 
 def test_nonlinear_map():
-    """With quadratic terms, the search converges to rounding error, and faster than the map
-    alone."""
+    """With quadratic terms, the search converges to rounding error, and faster than by iterating
+    the map alone."""
     g = lambda x: np.array([0.9 * x[0] + 0.1 * x[1] ** 2, 0.5 * np.cos(x[0])])  # noqa: E731
     starts, said = search(g, np.array([1.0, 1.0]), 12)
     assert said[-1].residual < 1e-12

@@ -31,8 +31,8 @@ OIL = inputs.oil(ROOT / "inputs/lubricants/mineral")
 
 
 def body():
-    """Return the bearing with one groove per ring that corresponds to the four-point contact
-    bearing under a thrust."""
+    """Return the bearing with one groove per ring that a four-point contact bearing is equivalent
+    to under a thrust."""
     return replace(OF_6208.four_point(ANGLE), layout=Layout())
 
 
@@ -65,8 +65,8 @@ def grooves(found, key):
 
 @pytest.mark.parametrize("way", [1, -1])
 def test_thrust_is_that_of_an_angular_contact(way):
-    """A thrust loads only one groove of each ring, so all results equal those of a bearing that has
-    only this groove."""
+    """A thrust loads only one groove of each ring, so all results equal those of a bearing with
+    this groove only."""
     found = figures(axial=way * 1000.0, rpm=RPM)
     state, films = thrust()
     load = grooves(found, "q_N")
@@ -107,7 +107,7 @@ def test_radial_load_is_carried_by_four_points():
 
 @pytest.fixture
 def stated(tmp_path):
-    """Return a bearing whose file describes a four-point contact and states its ratings."""
+    """Return a four-point contact bearing whose file states its angle and its ratings."""
     text = (ROOT / "inputs/bearings/6208").read_text()
     path = tmp_path / "QJ"
     path.write_text(text + "variable four_point index 35\n")
@@ -116,7 +116,7 @@ def stated(tmp_path):
 
 
 def test_life_of_a_bearing_that_its_file_rates(stated):
-    # these values apply to deep groove ball bearings
+    # these values are for deep groove ball bearings
     assert "life_reference_Mrev" not in figures(axial=1000.0)
     found = operating_point.figures(
         stated, held={"rx": 0.0, "ry": 0.0}, clearance=PLAY, axial=1000.0, rpm=RPM
@@ -158,7 +158,7 @@ def test_command(capsys, monkeypatch):
     arguments = ["static", "--axial", "1000", "--four-point", "35"]
     assert main(arguments) == 0
     text = capsys.readouterr().out
-    assert "contact angle of four points              35 °" in text
+    assert "four-point contact angle                  35 °" in text
     rows = text.split("\nBalls\n")[1].splitlines()
     assert len(rows) == 19 and len({len(row) for row in rows}) == 1
     assert main([*arguments, "--json"]) == 0
@@ -195,9 +195,9 @@ def test_bad_files(stated):
 
 
 def test_stiffness_of_two_rows_and_four_points():
-    """Rows that are far apart share a radial load and a thrust, while tilting loads the rows in
+    """Rows that are far apart share a radial load and a thrust, whereas a tilt loads the rows in
     opposite directions. Under a thrust, a four-point contact bearing acts like a bearing with one
-    groove per ring; this also applies to a table for rotor programs."""
+    groove per ring, also in a table for rotor programs."""
     apart, oil = 0.2, {"lubricant": "vg46", "phases": 2}
     rows = DoubleRow(apart, 0.0, "back_to_back")
     (two,) = rotor.points("6208", 1000.0, 1000.0, double_row=rows, clearance=-5e-6, **oil)
@@ -218,7 +218,8 @@ def test_stiffness_of_two_rows_and_four_points():
 
 def test_two_rows_live_as_the_standard_says():
     """By ISO 281, C of two rows is 2^0.7 times C of one row. Under twice the load, each row has the
-    life of a single row, and the life of both rows together is 2^-0.9 times this life."""
+    life of a single row under the single load, and the life of both rows together is 2^-0.9 times
+    this life."""
     options = {"held": {"rx": 0.0, "ry": 0.0}, "folder": ROOT / "inputs"}
     one = operating_point.figures("6208", load=1000.0, **options)
     two = operating_point.figures("6208", load=2000.0, double_row=DoubleRow(0.02), **options)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of the 6208 from statics: its parts are compared with values in the theory, and
-spin with its closed-form solution; limits and statics with the film in the gap are tested too."""
+"""Friction torque of the 6208 from statics. Its parts are compared with values in the theory, and
+the spin part with its closed-form solution. Limits and statics with the film in the gap are tested
+too."""
 
 from pathlib import Path
 
@@ -71,15 +72,15 @@ def test_coulomb_slip(bearing, none_skids):
 
 
 def test_mixed_slip(table):
-    """With a full film, the torque by Eyring's law with a limiting stress is 5 to 20 % below the
-    torque with Coulomb's coefficient of 0.05. At 48 rpm, asperities increase the torque due to
+    """With a full film, the torque from Eyring's law with a limiting stress is 5 to 20 % below the
+    torque from a Coulomb coefficient of 0.05. At 48 rpm, asperities increase the torque due to
     slip; other laws for the asperity fraction give 75 to 114 N mm there."""
     assert table["slip"][1:] == pytest.approx([56, 55, 58], rel=0.04)
     assert table["slip"][0] == pytest.approx(114, rel=0.04)
 
 
 def test_torque_near_skf_s(bearing):
-    """At 5 kN, 0.04 Pa s and 48 to 9549 rpm, our torque agrees with SKF's within 35 % without any
+    """At 5 kN, 0.04 Pa s and 48 to 9549 rpm, the torque agrees with SKF's within 35 % without any
     fitted parameter."""
     for rpm in (191.0, *SPEEDS):
         one = figures("6208", "mineral", ROOT / "inputs", load=5000.0, rpm=rpm, models="full")
@@ -143,8 +144,8 @@ def test_reversed_and_hot(bearing):
      (9549.0, -10, -3.0, 73)],
 )  # fmt: skip
 def test_film_in_the_gap(bearing, rpm, shift, top, third):
-    """The parameters are the changes, in per cent, of the radial displacement and of the loads on
-    the top ball and the third ball, without centrifugal load."""
+    """The parameters are the changes, in per cent, that the film causes in the radial displacement
+    and in the loads on the top ball and the third ball, without centrifugal load."""
     dry = equilibrium(bearing, 5000.0)
     wet = equilibrium(bearing, 5000.0, film=FilmInGap(ISOTHERMAL, rpm * np.pi / 30))
     change = [

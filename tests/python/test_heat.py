@@ -54,7 +54,7 @@ def test_balance():
 def test_three_nodes():
     found = heat.three_nodes(20.0, 10.0, shaft=1.0, housing=2.0, contact=0.7, ambient=25.0)
     assert (found.inner - 25) + 2 * (found.outer - 25) == pytest.approx(30, rel=1e-12)
-    # the heat from the balls and half of the losses of the outer contacts leave through the housing
+    # the heat from the balls and half of the outer contacts' losses leave through the housing
     assert 0.7 * (found.balls - found.outer) + 5 == pytest.approx(2 * (found.outer - 25))
     # with perfect contact there is a single temperature, as in the model with one node
     tight = heat.three_nodes(20.0, 10.0, shaft=1.0, housing=2.0, contact=1e9)
@@ -69,8 +69,8 @@ def test_clearance_by_temperature(bearing):
 
 
 def test_flash(bearing):
-    """At 477.5 and 9549 rpm, the flash temperature rise is 2 and 8 K, and the middle of the film is
-    0.3 and 41 K hotter than its surfaces."""
+    """At 477.5 rpm and at 9549 rpm, the flash temperature rise is 2 K and 8 K, and the middle of
+    the film is 0.3 K and 41 K hotter than its surfaces."""
     r_x, r_y = bearing.effective_radii(INNER)
     modulus, ellipse = bearing.effective_modulus, hertz.exact(r_x, r_y)
     a, b = hertz.semi_axes(ellipse, modulus, 2436.2)

@@ -64,9 +64,9 @@ def test_three_nodes_balance_and_tend_to_one():
 @pytest.mark.parametrize(("rpm", "ratio"), [(48.0, 2.3), (477.5, 1.95), (1910.0, 1.1),
                                             (9549.0, 0.22)])  # fmt: skip
 def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio, monkeypatch):
-    """The ratio compares the central film thickness with VG 46 oil, at an ambient temperature of 20
-    C and with cooling by ISO 15312, with the thickness at 0.04 Pa s and 22/GPa. Neither includes
-    inlet shear. Inlets are flooded, as in the printed row."""
+    """The ratio is that of two central film thicknesses: with VG 46 oil, at an ambient temperature
+    of 20 C and with cooling by ISO 15312, and with 0.04 Pa s and 22/GPa. Neither includes inlet
+    shear. Inlets are flooded, as in the printed row."""
 
     def flooded(body, size, fluid, ring, models, supply):
         starved = laws.skf_starvation(
@@ -148,7 +148,7 @@ def test_messages(capsys, arguments, code, message):
 
 
 def test_an_angular_contact_bearing_is_cooled_as_one_of_its_size():
-    """For the cooling, ISO 15312 needs only the bore, the outside diameter and the width."""
+    """ISO 15312 needs only the bore, the outside diameter and the width to compute the cooling."""
     angular, deep = (steady_heat.Case(name, "vg46", rpm=1000.0) for name in ("7208", "6208"))
     assert angular.cooling() == deep.cooling()
     assert angular.report(angular.scene(), angular.steady(angular.scene()))["temperature_C"] > 20

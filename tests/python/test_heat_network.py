@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The conductances and capacities of a bearing, its heat network, and temperatures that advance in
-jumps are compared with quadrature, the matrix exponential and closed-form solutions."""
+"""The conductances and heat capacities of a bearing, its heat network, and temperatures that
+advance in jumps are compared with quadrature, the matrix exponential and closed-form solutions."""
 
 import numpy as np
 import pytest
@@ -34,8 +34,8 @@ HEAT = np.array([6.0, 12.0, 6.0, 0.5, 3.0])
 
 class Whole:
     """A heat network as a symmetric matrix over inner ring, balls, outer ring, housing, oil,
-    ambient and inlet. A node without a capacity is the limit of a vanishing capacity: its
-    temperature follows from those of the other nodes."""
+    ambient and inlet. A node without a capacity is treated as the limit of a vanishing capacity, so
+    its temperature follows from those of the other nodes."""
 
     def __init__(self, net):
         self.net, self.capacity = net, np.array([*net["capacity"], 0.0])
@@ -110,7 +110,7 @@ def test_conductance_of_a_contact():
 def test_convection_of_the_oil():
     """The reference is the boundary layer of a plate with Blasius's velocity, for which scipy
     integrates the heat equation. At the large Prandtl numbers of oils, the exact constant is 0.339,
-    which is 2 % above 0.332."""
+    i.e. 2 % above 0.332."""
     k, heat_capacity, density, viscosity, orbit, pitch = 0.15, 1950.0, 860.0, 0.02, 385.0, 0.06
     prandtl = viscosity * heat_capacity / k
     far = 6.0  # eta, where (Pr/2) times the integral of f exceeds 1000
@@ -210,14 +210,14 @@ def test_heat_that_grows_evenly(net):
 
 
 def spread(net, loss):
-    """Distribute a loss in W among the nodes and, if oil flows, the oil."""
+    """Distribute a loss in W among the nodes and, if there is an oil flow, the oil."""
     oil = 0.1 * loss if net["flow"] else 0.0
     return np.array(heat.into_nodes(0.6 * loss - oil, 0.4 * loss, oil=oil))
 
 
 def jump(net, losses, start, **control):
-    """Return (rows with the time in s and the temperatures of the nodes in C, last state) for a run
-    that advances in jumps, where `losses`(T) is the power loss in W."""
+    """Return the rows with the time in s and the temperatures of the nodes in C, and the last
+    state, for a run that advances in jumps; `losses`(T) is the power loss in W."""
     state = library().records["HeatStateOf"]()
     for k in range(4):
         state.at[k] = state.law[k] = start
@@ -248,13 +248,13 @@ def integrated(net, losses, start, times):
 
 def fall(t):
     """Return a power loss in W that behaves as in an oil-lubricated bearing: it first decreases
-    with the temperature, and then increases because of mixed friction."""
+    with temperature, and then increases because of mixed friction."""
     return 30 * np.exp(-(t - 20) / 40) + 0.08 * t
 
 
 @pytest.mark.parametrize("net", NETS.values(), ids=NETS)
 def test_jumps_against_no_jumping(net):
-    """The error of a cold start is proportional to the square of the largest change of temperature
+    """The error of a cold start is proportional to the square of the largest temperature change
     that is allowed in a jump."""
     worst = []
     for change in (4.0, 2.0, 1.0):

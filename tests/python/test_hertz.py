@@ -31,7 +31,7 @@ def test_ellipse_against_high_precision(ratio):
 @pytest.mark.parametrize("nearly", [0.0, 1e-12, 1e-6])
 def test_circle_is_the_sphere(nearly):
     ellipse = hertz.exact(5e-3, 5e-3 * (1 + nearly))
-    # E' = 2 E*, and both effective radii equal R* of the sphere; the limit is approached linearly
+    # E' = 2 E*, and both effective radii equal the sphere's R*; the limit is approached linearly
     assert hertz.stiffness(ellipse, 2e11) == pytest.approx(
         hertz.sphere_stiffness(1e11, 5e-3), rel=nearly + 1e-13
     )

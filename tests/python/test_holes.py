@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files that were once read without complaint, or caused a traceback, are now rejected or cause a
-warning."""
+"""Files that were once read without complaint, or that caused a traceback, are now rejected or
+cause a warning."""
 
 import json
 import re
@@ -70,7 +70,7 @@ def test_a_failure_without_a_message(points):
 @pytest.mark.parametrize("finished", [True, False])
 def test_a_point_that_was_stopped_in_its_measurement(folder, finished):
     """The point's run.yaml is complete except for its end. Such a point used to count as finished,
-    and evaluating it then always failed."""
+    and its evaluation always failed."""
     (folder / "point.yaml").write_text("load: '5000'\n")
     if not finished:
         spoil(folder, "^step_s: .*\n", "")
@@ -131,7 +131,7 @@ def test_the_page_of_points_with_other_variables(points):
 
 
 def test_a_record_that_lost_a_variable(folder):
-    """Either the films agree, or a message states by how much they differ."""
+    """Either the films agree, or a message states how much they differ."""
     path = folder / "record.nc"
     variables, content = Record(folder).variables, path.read_bytes()
     names = [n for n, d in variables.items() if "raceway" not in d and not n.startswith("bearing_")]

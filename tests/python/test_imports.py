@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A command imports only those large packages that it needs."""
+"""A command imports only the large packages that it needs."""
 
 import subprocess
 import sys
@@ -46,5 +46,5 @@ def test_static():
 
 
 def test_plot(folder, tmp_path):
-    """A command that draws a picture is detected to import the packages that the picture needs."""
+    """The test detects that a command that draws a picture imports the packages needed for it."""
     assert "matplotlib" in loaded("plot", folder, "--out", tmp_path / "picture.png")

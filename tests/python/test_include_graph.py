@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the rooms of src-package and of the includes between them (tests/include_graph.py)."""
+"""Tests of the rooms of src-package and the includes between them (tests/include_graph.py)."""
 
 import sys
 from pathlib import Path

@@ -14,7 +14,7 @@ twin = test_compare.run  # this run is long enough for an envelope
 UNITS = "m m2 kg s h rad deg rpm Hz N Pa F V A J W K C ohm Mrev order"
 # the entries of these matrices have different units (docs/static)
 MATRIX = "^(stiffness|damping|place)(_|$)"
-# a unit at the end of the key, or the last part of a compound unit: _rad_s, _N_m_rad, _kg_m2
+# a unit at the end of the key, or the last part of a compound unit such as _N_m_rad or _kg_m2
 NAMED = re.compile(f"_(per_)?({'|'.join(UNITS.split())})$|^rpm(_|$)|{MATRIX}")
 # numbers without a unit: counts, fractions, ratios and factors
 PLAIN = set(
@@ -63,7 +63,8 @@ def words(folder, tmp_path, twin):
 
 
 def numbers(value, keys=(), beside=()):
-    """Yield (keys that lead to a number or a list of numbers, keys next to the last of them)."""
+    """Yield the keys that lead to a number or a list of numbers, and the siblings of the last
+    key."""
     if isinstance(value, dict):
         for key, one in value.items():
             yield from numbers(one, (*keys, key), value.keys())
@@ -77,7 +78,7 @@ def numbers(value, keys=(), beside=()):
 
 
 def named(keys, beside):
-    """Return whether a key, or a key next to it, contains the unit."""
+    """Return True if the last key, or one of its siblings, contains the unit."""
     return (
         any(key in PLAIN for key in keys)
         or "unit" in beside

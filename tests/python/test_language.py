@@ -22,7 +22,7 @@ PHRASES = (
 
 
 def glossary():
-    """Return the glossary as {term: its keys in outputs}, and check that it lists each term
+    """Return the glossary as {term: its keys in outputs}, after checking that it lists each term
     once."""
     text = (ROOT / "docs/design.rst").read_text().split(".. _glossary:")[1]
     block = re.search(r":widths:.*\n\n((?:   .+\n)+)", text)[1]
@@ -57,7 +57,7 @@ def headings(page):
 
 
 def test_references_to_headings_of_pages():
-    """A comment that cites `docs/PAGE, Heading` cites a heading of the page."""
+    """If a comment cites `docs/PAGE, Heading`, the page has this heading."""
     names = subprocess.run(
         ["git", "ls-files", "*.h", "*.cpp", "*.py"], cwd=ROOT, capture_output=True, text=True
     ).stdout.split()

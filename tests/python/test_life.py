@@ -41,8 +41,8 @@ def test_reference_life(loads, clearance, want):
 @pytest.mark.parametrize("side", ["inner_groove", "outer_groove"])
 def test_life_falls_where_pressure_rises(side):
     """The grooves have radii from 0.505 to 0.6 ball diameters, and the load is radial or combined.
-    A wider groove never gives a longer life, and above 0.53 each step of 4 % reduces the life by at
-    least 1 %. The grooves in the catalogue are no wider than ISO 281 assumes."""
+    A wider groove never gives a longer life. Above 0.53, each increase by 4 % reduces the life by
+    at least 1 %. The grooves in the catalogue are no wider than ISO 281 assumes."""
     for loads in ((3000.0,), (1500.0, 2500.0)):
         lives = []
         for groove in 12.6e-3 * np.array([0.505, 0.52, 0.53, 0.55, 0.575, 0.6]):
@@ -86,8 +86,8 @@ def test_factor(kappa, dirt, want):
 
 @pytest.mark.parametrize("kappa", [0.4, 1.0])
 def test_factor_is_continuous(kappa):
-    """The constants are given to five digits, and half a unit in the last digit changes a_ISO by up
-    to 2e-4."""
+    """The constants are given to five digits, and an error of half a unit in the last digit changes
+    a_ISO by up to 2e-4."""
     below, above = (life.factor(kappa * (1 + s), 0.1) for s in (-1e-9, 1e-9))
     assert above == pytest.approx(below, rel=4e-4)
 
@@ -120,8 +120,8 @@ def test_whole_life():
 
 
 def test_duties():
-    """A single duty gives its own life. Lives of 900 during 90 % of the revolutions and 100 during
-    10 % of them combine to 500."""
+    """The life under a single duty is the life of that duty. Lives of 900 during 90 % of the
+    revolutions and 100 during 10 % of them combine to 500."""
     assert life.of_duties([123.0], [1.0]) == pytest.approx(123.0)
     assert life.of_duties([900.0, 100.0], [0.9, 0.1]) == pytest.approx(500.0)
     with pytest.raises(ValueError, match="add up to 1"):
@@ -166,7 +166,7 @@ def rated(capsys, words):
 
 
 def test_a_rating_on_the_command_line(capsys):
-    """--C replaces the value in the file: both lives are proportional to its cube, and even a
+    """--C replaces the value in the file. Both lives are proportional to its cube, and even a
     bearing without ratings has a life. Under a radial load and without clearance, ISO/TS 16281
     agrees with the basic life within 2 %."""
     one, two = (rated(capsys, f"--load 3kN --rpm 1500 --C {c}") for c in ("16kN", "32000"))
@@ -180,8 +180,8 @@ def test_a_rating_on_the_command_line(capsys):
 
 def test_load_spectrum(capsys, tmp_path):
     """A duty that is split into two parts gives the same results as the whole duty. The equivalent
-    load of several duties is their cubic mean weighted by revolutions, and a steady load of this
-    size gives the same life."""
+    load of several duties is their cubic mean, weighted by revolutions; a steady load of this size
+    gives the same life."""
     path = tmp_path / "duties.csv"
     common = ["static", "--C", "32.5kN", "--spectrum", str(path)]
 
@@ -308,8 +308,8 @@ def test_ratings_that_are_none(tmp_path, line, says):
 
 
 def test_minimum_load(tmp_path, capsys):
-    """k_r is read from the file. The minimum load increases as viscosity and speed to the power
-    2/3; without k_r there is no minimum load."""
+    """k_r is read from the file. The minimum load is proportional to the power 2/3 of viscosity and
+    speed. If there is no k_r, there is no minimum load."""
     once = life.minimum_load(0.025, 46.0, 1500.0, 0.06)
     assert life.minimum_load(0.025, 92.0, 6000.0, 0.06) == pytest.approx(4 * once, rel=1e-12)
     assert life.minimum_load(0.025, 1000.0, 1.0, 0.1) == pytest.approx(25.0, rel=1e-12)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Load ratings are computed for a row of balls, and balls are found from given ratings."""
+"""Load ratings are computed from a row of balls, and balls are found from given ratings."""
 
 import math
 
@@ -24,7 +24,7 @@ def test_ratings_of_a_size(angle):
 
 
 def test_factors():
-    """The factors agree with the tables: f_0, and 1.3 f_c for one ball of 1 mm at zero angle."""
+    """The factors f_0, and 1.3 f_c for one ball of 1 mm at zero angle, agree with the tables."""
     for ratio, static, dynamic in ((0.09, 16.5, 54.3), (0.2, 14.0, 59.9), (0.4, 9.4, 48.4)):
         assert load_rating.static_factor(1e-3, 1e-3 / ratio) == pytest.approx(static)
         assert load_rating.dynamic(1, 1e-3, 1e-3 / ratio) == pytest.approx(1.3 * dynamic)
@@ -32,7 +32,7 @@ def test_factors():
 
 def test_power_changes_without_a_jump():
     at = [load_rating.dynamic(9, size, 6 * size) for size in (25.4e-3, 25.4001e-3)]
-    # the ratings grow because the diameter grows by 4e-6, not because the constants are wrong
+    # the ratings are larger because the diameter is larger by 4e-6, not because of the constants
     assert at[1] / at[0] - 1 == pytest.approx(0, abs=1e-4)
     assert load_rating.dynamic(9, 30e-3, 0.2) / load_rating.dynamic(9, 28e-3, 0.2 * 28 / 30) == (
         pytest.approx((30 / 28) ** 1.4)

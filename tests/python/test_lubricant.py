@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Properties of oils as functions of temperature and pressure are compared with published values,
-with finite slopes, and with the values in the deck."""
+"""Properties of oils as functions of temperature and pressure are compared with published values
+and with the values in the deck, and their slopes are compared with finite differences."""
 
 from pathlib import Path
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film and capacitance from statics: each contact is compared with the formulas, and trends of the
-bearing's totals are tested."""
+"""Film and capacitance from statics are compared with the formulas for each contact, and trends of
+the bearing's totals are tested."""
 
 import numpy as np
 import pytest

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Makers' formulas for the friction torque give the published values, and their limits and
-continuity are tested."""
+"""Makers' formulas for the friction torque give the published values. Their limits and continuity
+are tested too."""
 
 import numpy as np
 import pytest
@@ -24,14 +24,14 @@ def test_skf():
 
 
 def test_sums_with_a_bath_to_mid_ball():
-    """The torques are those in section 1, with oil up to the middle of the lowest ball, which is
+    """The torques are those in section 1, for oil up to the middle of the lowest ball, which is
     half a ball diameter above the raceway."""
     found = makers.skf(B6208, 5000.0, 0.0, SPEEDS, 46.0, level=6.3)
     assert found.total == pytest.approx([199, 147, 181, 246], abs=0.5)
 
 
 def test_palmgren():
-    # the printed row was written from memory with a rounded viscosity, hence the 0.6 %
+    # the printed row was written from memory with a rounded viscosity, hence the tolerance of 0.6 %
     speed, load = makers.palmgren(B6208, 5000.0, SPEEDS, 46.0)
     assert speed + load == pytest.approx([65, 92, 143, 308], rel=0.006)
     slow, _ = makers.palmgren(B6208, 5000.0, np.array([1.0, 2000 / 46 * 0.999]), 46.0)

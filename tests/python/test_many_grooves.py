@@ -32,8 +32,8 @@ def test_double_row_is_two_rows(arrangement, way, finite_shift):
     force, stiffness = np.zeros(5), np.zeros((5, 5))
     for side in (1.0, -1.0):
         at = -way * side * spacing / 2
-        # a load acts in the plane of a row's groove centres, which is slightly off the plane of its
-        # balls
+        # a load acts in the plane of a row's groove centres, which deviates slightly from the plane
+        # of its balls
         turn = np.eye(5)
         turn[0, 4], turn[1, 3] = at + side * reach, -(at + side * reach)
         own = turn @ place + [0, 0, side * reach, 0, 0]
@@ -86,8 +86,8 @@ def share(found, groove):
 
 
 def test_reversal_switches_grooves_without_a_jump():
-    """While the thrust on a preloaded bearing is reversed, the position and the loads follow the
-    stiffness at every step."""
+    """While the thrust on a preloaded bearing is reversed in steps, the position and the loads
+    change according to the stiffness at every step."""
     thrust = np.linspace(-800.0, 800.0, 65)
     options = {"clearance": -4e-6, "held": STRAIGHT}
     rests = [static.equilibrium(FOUR, axial_load=one, **options) for one in thrust]
@@ -104,7 +104,7 @@ def test_reversal_switches_grooves_without_a_jump():
 
 def test_balls_switch_one_by_one_under_radial_load():
     """The loaded balls leave their second grooves at different values of the thrust. If the thrust
-    is increased in half as large steps, the largest change of a load halves, so there are no
+    is increased in steps half as large, the largest change of a load halves, so there are no
     jumps."""
     thrusts = np.linspace(-2400, 2400, 25)
     rests = [static.equilibrium(FOUR, 2000.0, one) for one in thrusts]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Readers with constant memory need no more memory for a longer run than for a short one. Each task
-reads a run, and a run that is nine times as long.
+"""Readers with constant memory need no more memory for a long run than for a short one. Each task
+reads a run, and then a run that is nine times as long.
 
 tests/bench/large_runs.py tests this with 2 GB.
 """
@@ -15,7 +15,7 @@ import raceway
 import synthetic
 
 SHORT, LONG = 20, 180  # repetitions of the 49 samples of the synthetic run
-# bytes read at once, reduced as much as the runs are: even the short run has several blocks
+# bytes read at once, reduced like the runs, so that even the short run has several blocks
 BLOCK = 1 << 18
 TASKS = """
 from raceway import electrical, losses, regimes, spectrum
@@ -82,11 +82,11 @@ def growth(folders, task):
 
 
 def test_bounded(folders):
-    """Totals, ring and spectrum keep one row per sample in memory, which is up to 1 KB of 4.6
-    KB."""
+    """For totals, ring and spectrum, one row per sample is kept in memory, which is up to 1 KB of
+    4.6 KB."""
     assert growth(folders, TASKS) < 0.3
 
 
 def test_whole_run_is_not(folders):
-    """A task that reads the whole run into memory is detected as growing."""
+    """The test detects growth for a task that reads the whole run into memory."""
     assert growth(folders, WHOLE) > 0.5

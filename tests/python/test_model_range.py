@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A result has a range if the uncertainty of the model behind it is known."""
+"""A result is given with a range if the uncertainty of its model is known."""
 
 import pytest
 from raceway import asperity, film, film_factors, hertz
@@ -27,7 +27,7 @@ def test_the_figure_lies_inside(folder):
 
 @pytest.mark.parametrize("given, ends", [(1.5e-7, (1.5e-7, 1.5e-7)), (1e-7, (0.5e-7, 3e-7))])
 def test_film_parameter(tmp_path, lubricated, given, ends):
-    """For the roughness in the file, 0.1 um, the range is 0.5 to 3 times this value; a roughness
+    """For the roughness in the file, 0.1 um, the range is 0.5 to 3 times this value. A roughness
     set by the user is assumed to be exact."""
     folder = write(tmp_path, changed(lubricated, roughness_m=given))
     ranges = summary(RunTables(folder))["model_ranges"]
@@ -37,8 +37,8 @@ def test_film_parameter(tmp_path, lubricated, given, ends):
 
 
 def test_values_given_outright_have_no_range(tmp_path, lubricated):
-    """In this case the range of the film follows from the laws alone; it is computed here for the
-    top contact."""
+    """Here, the range of the film follows from the laws alone; it is computed for the top
+    contact."""
     own = changed(lubricated, viscosity_Pa_s=0.05, pressure_viscosity_per_Pa=2e-8)
     tables = RunTables(write(tmp_path, own))
     figures = summary(tables)
@@ -65,7 +65,7 @@ def test_laws_of_asperities_and_torque(folder):
     laws = [asperity.olver_spikes(1.41), asperity.clarke(1.41), asperity.zhou_hoeprich(1.41)]
     assert found["asperity_share"][:2] == pytest.approx((min(laws), max(laws)), rel=1e-12)
     assert found["friction_torque_N_m"][:2] == (0.08, 0.12)
-    figures["models"] = "paper"  # in this model the torque lacks rolling resistance
+    figures["models"] = "paper"  # in this model the torque does not include rolling resistance
     assert "friction_torque_N_m" not in model_ranges(tables, figures)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The variables of datasets are available as attributes, and names that are not valid in Python
-have second names."""
+"""The variables of datasets are available as attributes. Names that are not valid in Python have
+alternative names."""
 
 import pytest
 import raceway

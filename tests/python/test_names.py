@@ -10,7 +10,7 @@ from raceway.sweeps.host_run import complaint
 
 def test_public_names():
     """Only public names are offered for completion, and the error message for a wrong name suggests
-    the nearest name."""
+    the most similar name."""
     assert {name for name in dir(raceway) if not name.startswith("__")} == {
         name for name in raceway.__all__ if not name.startswith("__")
     }
@@ -30,6 +30,6 @@ def test_an_oil_without_viscosity(tmp_path):
 
 
 def test_the_last_words_of_a_host(tmp_path):
-    """If there is no error line, the message is the last line that does not consist of rules."""
+    """If there is no error line, the message is the last line that is not a rule."""
     (tmp_path / "log").write_text("mpirun cannot run as root\n\n-------\n  ====\n")
     assert complaint(tmp_path / "log", 1) == "exit code 1; last line: mpirun cannot run as root"

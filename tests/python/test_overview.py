@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The overview is drawn from the right values for every kind of run."""
+"""The overview shows the right values for every kind of run."""
 
 import matplotlib.image
 import numpy as np
@@ -44,7 +44,7 @@ def test_lubricated(folder, lubricated, tmp_path, axes):
     }
     load = drawn(panels["Contact load around the ring"], plot.COLOUR[0])
     expected = [row[6] for frame in lubricated["contacts"] for row in frame if row[2] == 0]
-    # all samples of all balls, in kN
+    # loads of all balls in all samples, in kN
     assert np.sort(load[:, 1]) == pytest.approx(np.sort(expected) / 1e3)
     heaviest = load[np.argmax(load[:, 1])]
     assert np.cos(heaviest[0]) > 0.99  # on the load line
@@ -56,14 +56,14 @@ def test_lubricated(folder, lubricated, tmp_path, axes):
 
 
 def test_lost_contact_breaks_the_line(tmp_path, axes):
-    """In twelve passes, balls return to the load zone, but no line is drawn across the unloaded
+    """During twelve passes, balls return to the load zone, but no line is drawn across the unloaded
     zone."""
     data = synthetic.run(clearance=1e-5, passes=12, samples_per_pass=8)
     plot.overview(RunTables(synthetic.write(tmp_path / "long", data)), tmp_path / "long.png")
     panel = axes()["Contact load around the ring"]
     steps = np.concatenate([np.diff(line.get_xdata()) for line in panel.lines])
     assert np.isnan(steps).any()
-    # the azimuth between two consecutive samples of one ball
+    # the change in azimuth between two consecutive samples of one ball
     assert np.nanmax(np.abs(steps)) == pytest.approx(2 * np.pi / 9 / 8, rel=1e-6)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the installed Python package: its requirements, its contents, and where it works."""
+"""Tests of the installed Python package: its requirements, its contents, and use in any folder."""
 
 import os
 import re
@@ -60,7 +60,7 @@ def copy_sources(folder):
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory):
     """Return the files of a wheel that setuptools builds from a copy of the sources, with a library
-    that is not optimised."""
+    that is compiled without optimisation."""
     folder = tmp_path_factory.mktemp("wheel")
     compiler = folder / "compiler"
     compiler.write_text('#!/bin/sh\nexec g++ "$@" -O0\n')
@@ -106,7 +106,7 @@ def test_wheel_has_the_data_files(wheel):
 
 
 def test_installed_from_a_wheel(wheel, tmp_path):
-    """An installed `raceway static` finds its bearings even if there is no source tree nearby."""
+    """An installed `raceway static` finds its bearings even if there is no source tree."""
     done = subprocess.run(
         [
             sys.executable,

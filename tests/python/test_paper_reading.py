@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Values are read correctly from a run folder whose contents are known."""
+"""Values are read correctly from a run folder with known contents."""
 
 from types import SimpleNamespace
 
@@ -28,7 +28,7 @@ def test_around(reading, bearing):
     # with clearance, the load zone covers less than half of the ring
     assert np.all(np.diff(psi) >= 0) and -95 < psi[0] < -60 and 60 < psi[-1] < 95
     rest = static.equilibrium(bearing, 5000.0, clearance=GAP, phase=0.0)
-    # 0.2 % is the error of linear interpolation between samples, with 24 samples per ball pass
+    # 0.2 % is the error of linear interpolation with 24 samples per ball pass
     assert reading.top(OUTER, "load") == pytest.approx(rest.outer.load[0], rel=2e-3)
     assert load.max() <= rest.outer.load[0] * (1 + 1e-9)
 

@@ -59,9 +59,9 @@ def test_judge():
 
 
 def test_judged_with_all_of_the_capacitance():
-    """Statements with rules for the total capacitance are judged by these rules; for the other
-    statements the usual rules are applied to the new values. Without such values the verdict does
-    not change."""
+    """Statements with rules for the total capacitance are judged by these rules. For the other
+    statements, the usual rules are applied to the new values. If there are no new values, the
+    verdict does not change."""
     corrected = {"a": Quantity(1.0, "F", "plates"), "b": Quantity(5.0, "", "number")}
     whole = {"a": Quantity(3.0, "F", "all"), "c": Quantity(2.0, "F", "around")}
     same = Statement("1", "...", "", ("a < 2",), ("a",), "")

@@ -37,10 +37,10 @@ def test_contact_is_the_formulas(bearing, printed):
 def test_loads_balance_the_ring(bearing):
     psi, load, _ = theory.loads(bearing, 5000.0)
     assert psi.shape == load.shape == (theory.PHASES, bearing.balls)
-    # 0.1 %, because the contact normals of a displaced ring deviate slightly from the radial
-    # direction
+    # 0.1 %, because the contact normals deviate slightly from the radial direction when the ring is
+    # displaced
     assert (load * np.cos(np.radians(psi))).sum(1) == pytest.approx(5000.0, rel=1e-3)
-    # Harris's value, without the effect of finite shift
+    # Harris's value, which does not include the effect of finite shift
     assert theory.largest_load(bearing, 5000.0) == pytest.approx(2436.2, rel=1e-3)
 
 

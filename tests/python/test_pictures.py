@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pictures other than the overview are drawn from the right values for every kind of run."""
+"""Pictures other than the overview show the right values for every kind of run."""
 
 import shutil
 
@@ -103,8 +103,8 @@ def test_bands_of_a_long_run_are_thinned(folder, monkeypatch):
 
 
 def test_scene(folder, lubricated, bearing):
-    """Touching bodies with an overlap d are drawn with an overlap of factor * d, and the colours
-    show the values of the contacts."""
+    """Touching bodies with an overlap d are drawn with an overlap of factor * d, and colours
+    represent the values at the contacts."""
     run, samples, factor = RunTables(folder), np.array([3, 10, 20]), 20.0
     what = scene(run, samples, "load", factor)
     pitch = bearing.pitch_radius
@@ -189,7 +189,7 @@ def test_gif(folder, tmp_path, capsys):
 
 
 def test_balls_of_a_gif_are_where_they_are(folder, tmp_path):
-    """In every frame, the ball with the largest load, drawn in yellow, is at the position given in
+    """In every frame, the ball with the largest load, drawn in yellow, is at the position stated in
     the sample."""
     run, rgb = RunTables(folder), np.rint(255 * np.array(plt.get_cmap("cividis")(1.0)[:3]))
     sheet = still.Sheet(run, scene(run, np.array([0, 12])), "load")

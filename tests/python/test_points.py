@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the table of a sweep: the accepted forms, and a message for every mistake before any run
+"""Tests of the table of a sweep: accepted forms, and a message for every mistake before any run
 starts."""
 
 from pathlib import Path
@@ -33,8 +33,8 @@ def test_points(tmp_path):
 
 
 def test_words_of_another_meaning(tmp_path):
-    """A variable whose default is a word is accepted, and so is a bearing whose name ends like a
-    unit."""
+    """A variable whose default is a word is accepted, and so is a bearing whose name ends in
+    letters that could be a unit."""
     path = tmp_path / "table.csv"
     path.write_text("bearing,load,rpm\n6205N,5kN,1500\n")
     known = {"bearing": "6208", "load": "left", "rpm": "1"}
@@ -42,7 +42,7 @@ def test_words_of_another_meaning(tmp_path):
 
 
 def test_name_is_stable(tmp_path):
-    """The name does not depend on the order of columns and rows."""
+    """The name of a point does not depend on the order of columns and rows."""
     one = points(tmp_path, "load,rpm\n1,2\n3,4\n")
     other = points(tmp_path, "rpm,load\n4,3\n2,1\n")
     assert {point.name for point in one} == {point.name for point in other}
@@ -54,7 +54,7 @@ def test_long_names():
 
 
 def test_names_of_paths():
-    """Files with the same name in different folders result in different names."""
+    """Files with the same name in different folders give points with different names."""
     names = {folder_name({"bearing": path, "load": "1"}) for path in ("a/own", "b/own", "own")}
     assert len(names) == 3 and not any("/" in name for name in names)
 

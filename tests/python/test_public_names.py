@@ -21,8 +21,8 @@ MODULES = [
 
 
 def public(module):
-    """Yield (name, function) for every public function and method, including constructors, that
-    `module` defines."""
+    """Yield (name, function) for every public function and method that `module` defines, including
+    constructors."""
     for name, thing in vars(module).items():
         if name.startswith("_") or getattr(thing, "__module__", None) != module.__name__:
             continue
@@ -48,7 +48,7 @@ def plain(member):
 
 def without_hint(function):
     """Return the names of the parameters without an annotation, and "return" if the result has
-    none; `self` and `cls` are left out."""
+    none; `self` and `cls` are omitted."""
     signature = inspect.signature(function)
     names = [
         name

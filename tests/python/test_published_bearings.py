@@ -14,7 +14,7 @@ BEARINGS = Path(__file__).resolve().parents[2] / "inputs/bearings"
 
 def test_harris_209():
     """The source is Harris & Kotzalas 2006, worked examples for the 209 under 8.9 kN with P_d = 15
-    um. Two methods in the book give 4527 and 4536 N for the ball on the load line; the loads on the
+    um. Two methods in the book give 4527 and 4536 N for the ball on the load line. The loads on the
     other balls are printed to 1 N."""
     bearing = inputs.bearing(BEARINGS / "harris209")
     state = static.equilibrium(bearing, 8900.0, clearance=15e-6)
@@ -25,9 +25,9 @@ def test_harris_209():
 
 
 def test_harris_209_geometry():
-    """The printed endplay is 0.174 mm. The exact value of 0.1726 mm is 0.8 % smaller, but
-    2 C sin(10 degrees) is 0.1736 mm, so the book seems to round the free angle of 9.94 degrees. The
-    curvature sums equal 0.202 and 0.138 1/mm to the printed digits."""
+    """The printed endplay is 0.174 mm. The exact value of 0.1726 mm is 0.8 % smaller, but 2 C
+    sin(10 degrees) is 0.1736 mm, so the book seems to round the free angle of 9.94 degrees. The
+    curvature sums equal the printed values of 0.202 and 0.138 1/mm to all digits."""
     bearing = inputs.bearing(BEARINGS / "harris209")
     assert clearance.free_endplay(bearing, 15e-6) == pytest.approx(0.174e-3, rel=1e-2)
     sums = [
@@ -68,12 +68,12 @@ ISO = {  # (loads in N, N, N m, clearance in m), (radial and axial shift in um, 
 def test_iso_16281(name):
     """The reference values come from a test in github.com/minzhun/ISO16281 (Test_BallBearing.py), a
     program for ISO/TS 16281 that was checked against a commercial program. The bearing has 7 balls
-    of 11.5 mm on a pitch diameter of 43.5 mm, conformities of 0.52 and 0.53, E 210 GPa, a ball on
+    of 11.5 mm on a pitch diameter of 43.5 mm, conformities of 0.52 and 0.53, E = 210 GPa, a ball on
     the load line, and a moment about the load line. The program uses half the pitch diameter as the
     lever arm of tilt and moment, whereas the groove centres lie at a radius of 21.98 mm. The test
-    corrects for this: our moment is larger, and our tilt smaller, by the ratio of the two radii.
-    The tolerance is 1e-4, because ISO/TS 16281 rounds the constant of the contact stiffness to 1.48
-    (5e-5 in deflection) and the values are given to five digits."""
+    corrects for this difference: our moment is larger, and our tilt smaller, by the ratio of the
+    two radii. The tolerance is 1e-4, because ISO/TS 16281 rounds the constant of the contact
+    stiffness to 1.48 (5e-5 in deflection) and the values are given to five digits."""
     (radial, axial, moment, pd), (shift, along, tilt) = ISO[name]
     ball, pitch = 11.5e-3, 43.5e-3
     bearing = Bearing(7, ball, (pitch - ball) / 2, (pitch + ball) / 2, 0.52 * ball, 0.53 * ball)

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of files of readings: files that are rejected, messages, lines found in recordings, and the
-command."""
+"""Tests of reading files: rejected files, messages, lines found in recordings, and the command."""
 
 import json
 import math
@@ -66,7 +65,7 @@ def test_mistakes(tmp_path, old, new, says):
 
 @pytest.mark.parametrize("name", orders.LINES)
 def test_an_angle_gives_its_line(name):
-    """If the contact angle is found from a line, kinematics with this angle reproduce the line."""
+    """If the contact angle is found from a line, kinematics with this angle reproduces the line."""
     from raceway import catalogue, inputs
 
     body = inputs.bearing(catalogue.find("bearings", "6205"))
@@ -103,7 +102,7 @@ def test_a_line_of_a_recording(tmp_path):
 
 def test_an_error_of_the_cage_is_common_to_its_lines():
     """Two lines that both determine the cage speed with the same relative error count as one
-    reading with this error divided by sqrt(2). The error of the model and the play of the pockets
+    reading with this error divided by sqrt(2). The error of the model and the effect of pocket play
     are added to it (Sherman-Morrison formula). A wide range of slip is penalised in proportion to
     the widening of the lines."""
     read, within, more = 0.4, 1e-4, 1e-3
@@ -152,8 +151,8 @@ def test_mistakes_in_a_table_of_lines(tmp_path, text, options, says):
 
 
 def test_unknowns_of_a_table_of_lines(tmp_path):
-    """Quantities that are given neither in the table nor by an option are unknown. A contact angle
-    determines the clearance."""
+    """Quantities that are given neither in the table nor by an option are treated as unknown. A
+    contact angle determines the clearance."""
     path = lines(tmp_path, "speed_Hz,ftf_Hz,load_N\n30,11.9,5\n")
     given = line_table.read(path, "6205")
     assert set(given.unknown) == {"clearance", "axial", "temperature"}
@@ -163,8 +162,8 @@ def test_unknowns_of_a_table_of_lines(tmp_path):
 
 def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
     """The lines are computed by statics and have no errors. A single line determines only a curve
-    through the true state. The ball's spin and a second load determine the angle. The intervals
-    include the true values of clearance, thrust and angle, and zero slip."""
+    through the true state. If the ball's spin and a second load are added, the angle is determined.
+    The intervals include the true values of clearance, thrust and angle, and zero slip."""
     monkeypatch.setattr(identify, "TRIED", 2)
     monkeypatch.setattr(identify, "VALLEY", 4)
     true = {"clearance": 8e-6, "axial": 90.0}
@@ -211,7 +210,7 @@ def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
 
 def test_loads_that_no_state_carries_are_left_out(tmp_path):
     """In part of this range of thrust, the balls are forced out of their grooves. The valley of the
-    misfit ends where this part begins."""
+    misfit ends at the boundary of this part."""
     text = GOOD.replace("axial: 30, ", "").replace("0 15e-6", "0 15e-6, axial: 10 1e6")
     text = text.replace("\nknown:", "\nmodels: paper\nknown:")
     found = identify.identify(readings.read(write(tmp_path, text)))

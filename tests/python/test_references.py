@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""For every law there are tests whose reference values do not come from the package."""
+"""For every law there are tests with reference values that do not come from the package."""
 
 import pytest
 from references import count

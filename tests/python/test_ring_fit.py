@@ -34,7 +34,7 @@ def test_exact_data():
 
 
 def test_errors_are_those_of_the_noise():
-    """Deviations due to noise are of the same size as the standard errors, and never more than four
+    """Deviations due to noise are about as large as the standard errors, and never more than four
     times as large."""
     force = FORCE + np.random.default_rng(1).normal(size=FORCE.shape)
     found = ring_fit.fitted(PLACE, SPEED, force)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The response of a ring to small motions is compared with the closed-form solution for springs and
-dampers in series; damping laws and the mean over a ball pass are tested too."""
+dampers in series. Damping laws and the mean over a ball pass are tested too."""
 
 import json
 
@@ -99,8 +99,8 @@ def test_full_needs_the_fluid():
 
 
 def test_static_prints_it(capsys):
-    """The --json output includes the matrix for a bearing at standstill, which is null without a
-    film."""
+    """The --json output includes the damping matrix for a bearing at standstill, which is null
+    without a film."""
     shape = ["static", "--load", "1500", "--axial", "2500", "--clearance", "20e-6", "--json"]
     assert main([*shape, "--rpm", "1910", "--lubricant", "mineral"]) == 0
     found = json.loads(capsys.readouterr().out)

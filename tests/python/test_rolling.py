@@ -62,7 +62,7 @@ def test_hysteresis(bearing):
     line = rolling.hysteresis(2436.2, b, 0.01)
     assert line == pytest.approx(1.1357e-3, abs=5e-8)
 
-    def strip(z):  # couple on a strip of the line contact, from its load and width
+    def strip(z):  # couple on a strip, treated as a line contact, from its load and width
         half = np.sqrt(1 - z**2)
         return rolling.hysteresis(0.75 * 2436.2 * half**2, b * half, 0.01)
 

@@ -3,8 +3,8 @@
 
 ROSS 2.3.0 wrote `ross_rotor.csv`, which contains the nonzero entries of the upper triangles of M0,
 K0 and G0. The rotor is a steel shaft of eight elements, each 50 mm long and 40 mm in diameter, with
-DiskElement.from_geometry(4, steel, 0.02, 0.04, 0.2), and with bearings with kxx 2e8 and kyy 3e8 at
-both ends.
+DiskElement.from_geometry(4, steel, 0.02, 0.04, 0.2). At both ends there are bearings with kxx = 2e8
+and kyy = 3e8.
 """
 
 import csv
@@ -22,7 +22,7 @@ from raceway.theory.beam import Section
 FILE = Path(__file__).parent / "ross_rotor.csv"
 Z = np.linspace(0.0, 0.4, 9)  # m
 SPRINGS = (2e8, 3e8)  # N/m, springs at both ends
-FREQUENCIES = {  # in Hz, from ROSS, for a spin in rad/s: two pairs of bending modes
+FREQUENCIES = {  # {spin in rad/s: frequencies in Hz from ROSS for two pairs of bending modes}
     0.0: (265.2845, 267.7216, 1059.7397, 1078.9096),
     1000.0: (265.2594, 267.7468, 961.1215, 1186.4734),
 }
@@ -60,7 +60,7 @@ def springs(count, ends, sizes=SPRINGS):
 
 @pytest.mark.parametrize("spin", FREQUENCIES)
 def test_its_matrices_are_ours(found, spin):
-    """The frequencies equal those computed by ROSS to the printed digits. This also verifies the
+    """The frequencies equal those computed by ROSS to all printed digits. This also verifies the
     sign of the gyroscopic terms."""
     held = springs(45, (0, 40), (*SPRINGS, 1e7))
     ours = beam_motion.frequencies(found.whole, held, spin) / (2 * np.pi)
@@ -90,7 +90,7 @@ def test_bending_pairs(found, spin):
 
 
 def test_four_degrees_of_freedom(found, given):
-    """Matrices of older versions, in x, y, rx and ry, result in the same lateral motion of the
+    """Matrices of older ROSS versions, in x, y, rx and ry, result in the same lateral motion of the
     rotor."""
     four = np.sort(np.concatenate([6 * np.arange(9) + k for k in (0, 1, 3, 4)]))
     for name in ("mass", "stiffness", "gyroscopic"):
@@ -234,8 +234,7 @@ def test_npz(npz, found, tmp_path, capsys):
 
 
 def test_toml(monkeypatch, tmp_path, given, capsys):
-    """A rotor saved by ROSS is read without its bearings, but the nodes of the bearings are
-    kept."""
+    """A rotor saved by ROSS is read without its bearings; the nodes of the bearings are kept."""
     rotor = types.SimpleNamespace(
         M0=given["mass"],
         K0=given["stiffness"],

@@ -72,7 +72,7 @@ def test_as_ross(shaft, point):
 
 
 def test_arguments(point, oiled):
-    """A single speed gives plain floats without a frequency; several speeds give lists, together
+    """A single speed gives plain floats without a frequency. Several speeds give lists, together
     with the frequency in rad/s."""
     one, many = rotor.ross_of([point]), rotor.ross_of(oiled)
     assert all(type(value) is float for value in one.values()) and "frequency" not in one

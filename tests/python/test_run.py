@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The run folder: settings are read as text and numbers, samples as tables, and a damaged folder
-causes a message."""
+"""The run folder: settings are read as text and as numbers, samples are read as tables, and a
+damaged folder causes an error message."""
 
 import numpy as np
 import pandas as pd

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The sampling rates and the filter of a sensor are tested with signals whose response is known."""
+"""The sampling rates and the filter of a sensor are tested with signals of known response."""
 
 import numpy as np
 import pytest

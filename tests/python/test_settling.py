@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settling (settling.h) is the change of the means from one half of the last samples to the
-next."""
+"""Settling (settling.h) is computed as the change in the means from one half of the last samples to
+the next."""
 
 import numpy as np
 import pytest
@@ -8,9 +8,9 @@ from raceway.core import library
 
 
 def scene(halves=3, half=40, balls=7, drift=0.0, turn=0.0, seed=1):
-    """Return the samples of `halves` ball passes. They have a ripple at the ball pass frequency,
-    torque and loads that grow by `drift` from each pass to the next, and spin axes that pitch by
-    `turn` (rad) from each pass to the next."""
+    """Return the samples of `halves` ball passes, with a ripple at the ball pass frequency. From
+    each pass to the next, torque and loads grow by `drift`, and the spin axes pitch by `turn`
+    (rad)."""
     numbers = np.random.default_rng(seed)
     n = np.arange(halves * half)
     growth = (1 + drift) ** (n // half)

@@ -53,8 +53,8 @@ def test_own_weight():
 
 
 def test_rigid_motions_cost_nothing():
-    """The energy of a displacement and of a small rotation about x and y is zero compared with the
-    bending energy."""
+    """The energy of a displacement, and of a small rotation about x and y, is zero compared with
+    the bending energy."""
     z, pieces = beam.divided([THIN, Section(0.1, 0.02, 0.01)], [0.05])
     whole = beam.stiffness(pieces)
     moves = np.zeros((5, len(z), 5))
@@ -68,8 +68,8 @@ def test_rigid_motions_cost_nothing():
 
 @pytest.mark.parametrize("clearance", [-10e-6, 0.0, 10e-6])
 def test_lever_rule(clearance):
-    """A shaft 0.2 m thick is rigid compared with its bearings, so the loads on the bearings follow
-    the lever rule."""
+    """A shaft with a diameter of 0.2 m is rigid compared with its bearings, so the loads on the
+    bearings follow from the lever rule."""
     seats = [Seat(0.1, B6208, clearance), Seat(0.4, B6208, clearance, floating=True)]
     found = shaft.rest(Shaft([Section(0.5, 0.2)]), seats, [Load(0.2, (600.0, -3000.0, 0.0))])
     shares = np.array([one.load[:2] for one in found.bearings])
@@ -77,8 +77,8 @@ def test_lever_rule(clearance):
 
 
 def test_simply_supported():
-    """If the bearings can tilt freely, the deflection between them is F L^3/48EI + F L/4kAG and the
-    slope is F L^2/16EI."""
+    """If the bearings can tilt freely, the deflection between them is F L^3/48EI + F L/4kAG, and
+    the slope is F L^2/16EI."""
     seats = [Seat(0.0, B6208, 20e-6), Seat(0.3, B6208, 20e-6, floating=True)]
     found = shaft.rest(Shaft([THIN]), seats, [Load(0.15, (0.0, -3000.0, 0.0))])
     assert found.z == pytest.approx([0, 0.15, 0.3])
@@ -145,7 +145,7 @@ def test_one_bearing_is_its_statics():
 
 
 def test_preload_by_a_spacer():
-    """Two bearings that are preloaded against each other through their outer rings support each
+    """Two bearings that are preloaded against each other through their outer rings each support the
     other's axial load."""
     seats = [
         Seat(0.1, B6208, 20e-6, offset=(0, 0, -120e-6, 0, 0)),
@@ -189,8 +189,8 @@ def test_command(capsys, tmp_path):
     found = json.loads(capsys.readouterr().out)
     first, second = found["bearings"]
     assert first["load_z_N"] == 0.0 and second["load_z_N"] == pytest.approx(400.0, rel=1e-6)
-    # moments about the second bearing: the levers are 0.06 m (belt) and 0.3 m; tilts account for 9
-    # N m
+    # moments about the second bearing, with lever arms of 0.06 m (belt) and 0.3 m; the tilts
+    # account for 9 N m
     held = first["moment_y_N_m"] + second["moment_y_N_m"]
     assert first["load_x_N"] == pytest.approx((held - 1500 * 0.06) / 0.3, rel=1e-6)
     assert second["life_reference_h"] > 0 and second["tilt_rad"] < 1e-3

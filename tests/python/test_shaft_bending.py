@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A shaft described as a rigid body with elastic modes is compared with the beam with all its
-nodes, and its file is tested."""
+"""A shaft as a rigid body with elastic modes is compared with the beam with all its nodes, and its
+file is tested."""
 
 from pathlib import Path
 
@@ -78,7 +78,7 @@ def on_springs(z, count):
 @pytest.mark.parametrize("spin", [0.0, 1000.0])
 def test_bending_pairs(rotor, spin):
     """The first pair of frequencies is within 1e-3 of that of the whole beam, and the second within
-    5e-3. This includes the splitting by spin."""
+    5e-3, including the splitting due to spin."""
     z, whole = rotor
     exact = beam_motion.frequencies(whole, on_springs(z, 5 * len(z)), spin)
     found = beam_motion.frequencies(*system(reduced(rotor, 4)), spin)
@@ -132,7 +132,7 @@ def test_steady_loads_at_kept_places(rotor):
 
 # ---- the file
 def test_file(tmp_path, capsys):
-    """The file contains all keywords, numbers to the last digit, and the positions of its
+    """The file contains all keywords, all numbers to the last digit, and the positions of its
     stations."""
     file = tmp_path / "motor.modes"
     words = ["--modes", "3", "--damping", "0.02", "--places", "0.27", "--kept", "0.1"]

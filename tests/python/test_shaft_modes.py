@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The motions of a shaft are named correctly, and critical speeds agree with natural
+"""The motions of a shaft are classified correctly, and critical speeds agree with natural
 frequencies."""
 
 import numpy as np

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""For balls in contact with the outer ring only, unloaded times are tested, and the rotation is
-compared with closed-form solutions."""
+"""For balls that touch only the outer ring, unloaded times are tested, and the rotation is compared
+with closed-form solutions."""
 
 import numpy as np
 import pytest

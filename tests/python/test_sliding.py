@@ -30,7 +30,7 @@ def test_free_rolling(bearing):
         assert sliding.free_power(LOAD, FRICTION, SPEED, a, r_d, r_x) == pytest.approx(
             power, abs=5e-6
         )
-        # the printed values use the rounded slope of 3.80, the formula the exact slope
+        # the printed values use the rounded slope of 3.80, whereas the formula uses the exact slope
         assert a**2 / (7.60 * r_d * r_x) == pytest.approx(creep, abs=5e-6)
         assert sliding.creep(a, r_d, r_x) == pytest.approx(creep, rel=6e-4)
         free = sliding.free_slip(SPEED, a, r_d, r_x)
@@ -103,8 +103,8 @@ def test_spring_in_series():
     tau = secant / spring
     steady = secant * distance
     assert tau == pytest.approx(6e-5, rel=0.02)
-    # a short step gives the spring force, a long step the slip law, and two half steps equal one
-    # step
+    # a short step gives the spring force, a long step gives the slip law, and two half steps equal
+    # one step
     force, slope = sliding.in_series(0.0, distance, secant, spring, 1e-9)
     assert force == pytest.approx(spring * distance * 1e-9, rel=1e-4)
     assert slope == pytest.approx(spring * 1e-9, rel=1e-4)
@@ -174,8 +174,8 @@ def test_bair_winer():
 @pytest.mark.parametrize(("speed", "h_c", "slide_roll"), [(0.0725, 32e-9, 0.08),
                                                           (14.4946, 1309e-9, 0.016)])  # fmt: skip
 def test_slide_roll_where_eyring_reaches_coulomb(bearing, speed, h_c, slide_roll):
-    """At about this slide-roll ratio, the stress tau by Eyring alone, with Roelands' viscosity at
-    the mean pressure p, is 0.05 p."""
+    """At about this slide-roll ratio, the stress tau from Eyring's law alone, with Roelands'
+    viscosity at the mean pressure p, is 0.05 p."""
     r_x, r_y = bearing.effective_radii(INNER)
     pressure = 2 / 3 * hertz.pressure(hertz.exact(r_x, r_y), bearing.effective_modulus, LOAD)
     eta = lubricant.roelands(0.04, 22e-9, pressure)

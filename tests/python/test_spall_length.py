@@ -25,9 +25,9 @@ def test_a_ball_that_keeps_its_load_strikes_half_way(bearing, raceway):
 
 @pytest.mark.parametrize("raceway", [INNER, OUTER])
 def test_a_rounded_edge_is_heard_sooner(bearing, raceway):
-    """A ball that keeps its load begins to rise half-way, earlier by the radius of the edge. A ball
-    that has lost its load flies to the far flank, and the position of the flank does not depend on
-    the rounding."""
+    """A ball that keeps its load begins to rise half-way, or earlier by the radius of the edge. A
+    ball that has lost its load flies to the far flank, whose position does not depend on the
+    rounding of the edges."""
     edge, both = 5e-5, np.array([0.5e-3, 2.5e-3])
     sharp, rounded = (
         spall.seconds_to_blow(bearing, raceway, both, SPIN, LOAD, 0.2, edge=one)
@@ -43,7 +43,7 @@ def test_a_rounded_edge_is_heard_sooner(bearing, raceway):
 @pytest.mark.parametrize("raceway", [INNER, OUTER])
 def test_flight_of_a_ball_that_loses_its_load(bearing, raceway):
     """If the ring does not follow, and the ball is light enough to be in equilibrium until it
-    leaves the raceway, its vertical speed as it leaves is its fraction of the drop rate; the
+    leaves the raceway, its vertical speed at that moment is a known fraction of the drop rate. The
     centrifugal load curves its path."""
     orbit = SPIN * kinematics.frequencies(bearing).cage
     rest = static.equilibrium(bearing, LOAD, orbital_speed=orbit)
@@ -106,8 +106,8 @@ def path(length, speed=2.3, periods=6):
 @pytest.mark.parametrize("length", [0.5e-3, 1e-3, 2e-3])
 @pytest.mark.parametrize("noise", [0.0, 2e-4])
 def test_known_length(length, noise):
-    """With sharp edges and noise of 2e-4 of the drop, the length is found within 1 % plus half the
-    distance that corresponds to a sample at the impact."""
+    """With sharp edges and noise of 2e-4 of the drop, the length found is accurate to 1 % plus half
+    the distance that corresponds to one sample at the impact."""
     _, drop = path(length)
     random = np.random.default_rng(1)
     values = 3.0 - drop / drop.max() + noise * random.normal(size=len(drop))

@@ -36,8 +36,8 @@ def test_a_sine(frequency):
 
 def test_a_faint_line_beside_a_strong_one():
     """A line has 5e-4 of the height of another line that is 12 bins away. The side lobes of the
-    strong line, 2.5e-5 of its height, are 5 % of the faint line there, and shift it by 0.05 to 0.1
-    bins."""
+    strong line, 2.5e-5 of its height, amount to 5 % of the faint line there, and shift it by 0.05
+    to 0.1 bins."""
     one = spectrum.spectrum(wave(100.0) + wave(103.0, 5e-4), SAMPLE)
     assert spectrum.find(one, 103.0)[0] == pytest.approx(103.0, abs=0.1 * 0.25)
     assert spectrum.find(spectrum.spectrum(wave(100.0), SAMPLE), 103.0)[-1] != ""
@@ -126,8 +126,8 @@ def test_lines_of_a_run(tmp_path, lubricated, bearing):
 
 
 def test_a_line_is_not_taken_for_its_neighbour(tmp_path, lubricated, bearing):
-    """BPFO x3 and BPFI x2 of a 6208 are 1.7 % apart; a search range of this width must not mistake
-    one for the other."""
+    """BPFO x3 and BPFI x2 of a 6208 are 1.7 % apart. With a search range of this width, one must
+    not be mistaken for the other."""
     run = raceway.open(
         write(tmp_path, lubricated, {3 * kinematics.frequencies(bearing).outer: 4e-7})
     )

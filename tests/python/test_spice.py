@@ -15,7 +15,8 @@ from raceway.electric.waveforms import CommonMode, Sine, Table
 
 OPTIONS = ".options reltol=1e-6 abstol=1e-19 vntol=1e-9 chgtol=1e-19\n"
 WITHIN = 1e-3
-TAU = np.array([4e-3, 7e-3]).reshape(1, 2, 1)  # s, R C of films; unequal, so balls are charged
+# s, R C of both films; the values differ, so balls become charged
+TAU = np.array([4e-3, 7e-3]).reshape(1, 2, 1)
 
 
 @pytest.fixture(scope="module")
@@ -71,7 +72,7 @@ def test_inverter(leaky, tmp_path):
 
 
 def test_source_with_a_resistance(tmp_path):
-    """Without leakage, the balls stay uncharged, and a single element for the whole bearing gives
+    """Without leakage, the balls remain uncharged, and a single element for the whole bearing gives
     the same voltage."""
     outer = Source(Table([0, 1e-3, 2e-3, 6e-3], [0, 10, -10, 5]), 2e6)
     for element in ("bearing", "bearing_total"):
@@ -85,8 +86,8 @@ def test_source_with_a_resistance(tmp_path):
 
 
 def test_current_of_moving_plates(tmp_path):
-    """At constant voltage the current is i = V dC/dt; a capacitor defined by its capacitance alone
-    would omit this current."""
+    """At constant voltage, the current is i = V dC/dt; a capacitor that is defined only by its
+    capacitance would omit this current."""
     given = turning(n=41, z=5)
     # the trapezoidal rule oscillates after the start
     tran = ".options method=gear\n.tran 2e-6 0.01 0 2e-6 uic\n"

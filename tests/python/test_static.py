@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The equilibrium of the bearing is compared with values in docs/theory, closed-form solutions, and
-independently written equations of equilibrium."""
+"""The equilibrium of the bearing is compared with values in docs/theory, with closed-form
+solutions, and with independently written equations of equilibrium."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway static` gives the same results as the library; its tables, messages, exit codes and data
+"""`raceway static` gives the same results as the library. Its tables, messages, exit codes and data
 files are tested."""
 
 import json
@@ -90,9 +90,9 @@ ANGULAR = ("--bearing", "7205B", "--load", "1000", "--rpm", "3000")
 
 
 def test_ring_held_along_its_axis(capsys):
-    """Without an axial load, an angular contact bearing is held at the position at which its balls
-    make contact, as in a deck. If the load that holds it is applied as an axial load, the results
-    are the same."""
+    """If there is no axial load, an angular contact bearing is held at the position at which its
+    balls make contact, as in a deck. If the force that holds it is applied as an axial load
+    instead, the results are the same."""
     held = figures(capsys, *ANGULAR)
     assert held["clearance_m"] == pytest.approx(2 * 0.05 * 7.938e-3 * (1 - np.cos(np.radians(40))))
     assert held["load_parameter"] is None and held["loaded_balls"] == 12

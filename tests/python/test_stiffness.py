@@ -2,7 +2,7 @@
 """The stiffness of a 6208 is compared with values computed independently of this package.
 
 The reference values use the stiffness of each contact at zero angle, whereas the package uses the
-stiffness at the actual angle. The difference is up to 5e-4. Printed values are accurate to half a
+stiffness at the actual angle, which differs by up to 5e-4. Printed values are accurate to half a
 unit in the last digit.
 """
 

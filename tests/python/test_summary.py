@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every value in the summary is compared with a value recomputed from the rows of the run."""
+"""Every value in the summary equals the value recomputed from the rows of the run."""
 
 import json
 import re
@@ -13,7 +13,7 @@ from raceway.errors import RunError
 from raceway.runs.summary import summary, table
 from raceway.runs.tables import RunTables
 
-# the table in INTERFACE.md in its order, repeated here because users rely on it
+# the keys of the table in INTERFACE.md in their order, repeated here because users rely on them
 PROMISED = """bearing lubricant host integrator models temperature_C load_N rpm clearance_m
 step_s passes
 viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m load_parameter
@@ -59,8 +59,8 @@ def test_promised_keys(folder, dry_folder):
 
 
 def test_rating_life(folder, lubricated, bearing, small_blocks):
-    """The life computed block by block equals the life computed from all contacts of the record in
-    one array. If the outer ring rotates or the record has no contacts, there is no life."""
+    """The life computed block by block equals the life computed from all contacts of the record at
+    once. There is no life if the outer ring rotates or the record has no contacts."""
     figures, run = summary(RunTables(folder)), raceway.open(folder)
     loads = [run.contacts.Q.sel(raceway=side).fillna(0).to_numpy() for side in ("inner", "outer")]
     rated = figures["dynamic_rating_N"]
@@ -107,7 +107,7 @@ def test_figures(folder, lubricated, bearing):
         top[0]["lambda"],
     )
 
-    # the load points to -y; the initial state does not belong to the window
+    # the load points to -y; the initial state is not part of the measured window
     shift = np.mean([-ring[3] for ring in lubricated["rings"][1:]])
     assert figures["ring_shift_m"] == pytest.approx(shift, rel=1e-12)
     assert figures["load_parameter"] == pytest.approx(
@@ -142,8 +142,9 @@ def full(folder, data):
 
 @pytest.mark.parametrize("models, lost", [("paper", LOST), ("film", LOST), ("mine", set())])
 def test_what_a_model_leaves_out(folder, lubricated, models, lost):
-    """The friction in the paper's model is not a friction torque, and the summary gives this reason
-    instead of a number. A model defined by the user reports those losses that its contacts have."""
+    """In the paper's model, friction does not give a friction torque, and the summary states this
+    reason instead of a number. For a user-defined model, the summary reports those losses that its
+    contacts have."""
     own = synthetic.changed(lubricated, models=models)
     figures = summary(RunTables(synthetic.write(folder, own)))
     assert figures["absent"] == dict.fromkeys(figures["absent"], f"not in models {models}")
@@ -157,8 +158,8 @@ def test_what_a_model_leaves_out(folder, lubricated, models, lost):
 
 
 def test_friction(folder, lubricated):
-    """The shaft torque, the losses by part and the makers' torques equal values computed from the
-    contacts."""
+    """The shaft torque, the losses by component and the makers' torques equal values computed from
+    the contacts."""
     figures = full(folder, lubricated)
     column = synthetic.LUBRICATED.index("load")
     loads = [sum(row[column] for row in frame) for frame in lubricated["contacts"][1:]]

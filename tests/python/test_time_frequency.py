@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The amplitude as a function of time and frequency, and of order during a run-up, is computed for
-sines of known frequency and amplitude."""
+"""The amplitude as a function of time and frequency, and of time and order during a run-up, is
+computed for sines of known frequency and amplitude."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from raceway.errors import RunError
 from raceway.runs import order_tracking
 
 SAMPLE = 1e-4  # s
-ORDER, HEIGHT = 7.3, 2e-6  # order of the shaft speed; m
+ORDER, HEIGHT = 7.3, 2e-6  # order relative to the shaft speed; amplitude in m
 
 
 def test_a_line_that_comes_and_goes():
@@ -43,8 +43,8 @@ def test_mistakes(values, window, says):
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_even_angles(sign):
-    """If it is resampled at equal angles, a line of constant order in a run-up from 10 to 30
-    revolutions per second becomes a single sine."""
+    """If the signal is resampled at equal angles, a line of constant order in a run-up from 10 to
+    30 revolutions per second becomes a single sine."""
     time = np.arange(10000) * SAMPLE
     angle = sign * 2 * np.pi * (10 * time + 10 * time**2)
     values, step = order_tracking.at_even_angles(np.cos(ORDER * angle), angle)

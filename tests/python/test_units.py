@@ -79,7 +79,7 @@ def test_what_is_printed_can_be_read(unit):
 
 
 def test_every_physical_option_takes_its_unit():
-    """No command parses an option with float, so every length accepts 10um."""
+    """No command parses an option with `float`, so every length can be given as, e.g., 10um."""
     (commands,) = (
         action
         for action in cli._parser()._actions

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run opened in MDAnalysis: every column of every frame has double precision, because single
+"""A run is opened in MDAnalysis. Every column of every frame has double precision, because single
 precision would lose too many digits."""
 
 import pickle
@@ -14,7 +14,7 @@ from raceway.runs import universe as module
 
 @pytest.fixture
 def run(folder, monkeypatch):
-    # 7 frames at once, so 49 frames need several reads
+    # 7 frames are read at once, so 49 frames need several reads
     monkeypatch.setattr(module, "ROWS", 7 * 20)
     return raceway.open(folder)
 

@@ -17,8 +17,8 @@ def test_all_are_there():
 
 @pytest.mark.parametrize(("number", "engine", "package"), ROWS)
 def test_named_tests_exist(number, engine, package):
-    """The cells contain entries `file: names`, separated by semicolons, where the names are parts
-    of test names."""
+    """The cells contain entries `file: names`, separated by semicolons, where each name is part of
+    the name of a test."""
     for folder, words in (("tests/physics", engine), ("tests/python", package)):
         for one in words.split("; "):
             name, _, wanted = one.partition(": ")

@@ -75,9 +75,9 @@ def test_a_shoulder_that_is_none(tmp_path):
 
 @pytest.mark.parametrize("name", ["static", "electric", "heat"])
 def test_a_ring_held_along_its_axis(name, capsys):
-    """For an angular contact bearing under a purely radial load, text and JSON output of every
+    """For an angular contact bearing under a purely radial load, the text and JSON output of every
     command state the force that holds the ring. If this force is applied as an axial load, the ring
-    is in equilibrium and there is no warning. For a deep groove ball bearing there is no such
+    is in equilibrium and there is no warning. For a deep groove ball bearing, there is no such
     force."""
 
     def said(*more):
@@ -92,6 +92,6 @@ def test_a_ring_held_along_its_axis(name, capsys):
     angular = ["--bearing", "7205B"]
     (text,) = said(*angular)
     force = {"N": 1.0, "kN": 1e3}[text.split()[11].strip(",")] * float(text.split()[10])
-    # the rule for the induced force is e F_r, with the value of e from ISO 281 at 40 degrees
+    # by the usual rule, the induced force is e F_r, with e of ISO 281 at 40 degrees
     assert 900 < force < 1.14e3
     assert said(*angular, "--axial", str(force)) == said() == []

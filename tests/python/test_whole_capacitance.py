@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the total capacitance over a run whose contents are known; tests/scenarios contains
-tests with simulated runs."""
+"""Tests of the total capacitance during a run whose contents are known. Tests with simulated runs
+are in tests/scenarios."""
 
 from types import SimpleNamespace
 

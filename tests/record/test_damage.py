@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Reading a damaged record stops with an error message, whatever the damage."""
+"""Reading a damaged record stops with an error message for any kind of damage."""
 
 import random
 import shutil
@@ -102,7 +102,7 @@ def test_a_sample_is_found_wherever_it_is_read(folder, tmp_path):
 
 
 def test_a_record_without_checksums(tmp_path):
-    """Records without checksums are read and reported as unchecked; their sums are compared with
+    """Records without checksums are read and reported as unchecked. Their sums are compared with
     sums over their contacts."""
     synthetic.write(tmp_path, synthetic.run(passes=1, samples_per_pass=12))
     run = raceway.open(tmp_path)

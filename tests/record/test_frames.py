@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The results for a bearing in any pose in the lab equal those for a bearing whose axis is along z.
+"""Results for a bearing in any orientation in the lab frame equal those for an axis along z.
 
-Records are rotated, not decks: integrators stop at a tolerance, which would hide small errors.
+Records are rotated instead of decks, because the tolerance of integrators would hide small errors.
 """
 
 import contextlib
@@ -57,13 +57,13 @@ ELSEWHERE = [  # turned about its own axis, mirrored, turned upside down
 
 @pytest.fixture(scope="module", params=scenes.SCENES)
 def scene(request, tmp_path_factory):
-    """Return (name, folder of the run with its axis along z)."""
+    """Return the name of the scene, and the folder of its run with the axis along z."""
     folder = tmp_path_factory.mktemp(request.param)
     return request.param, scenes.run(request.param, folder / "z")
 
 
 def written(source, folder, pose, commands):
-    """Return {command or file: its output} for the run in `source`, rotated to a `pose`."""
+    """Return {command or file: its output} for the run in `source` after rotation to a `pose`."""
     turned.write(source, folder / "run", pose)
     before = {path.name for path in (folder / "run").iterdir()}
     found = {}
@@ -88,7 +88,7 @@ def written(source, folder, pose, commands):
 
 def figures(folder):
     """Return {name: array} for everything that readers compute from the run in `folder`, and for
-    data of the run."""
+    the data of the run."""
     run = raceway.open(folder)
     run = run if len(run.bearing_numbers) == 1 else run.select(2)
     found = {
@@ -115,8 +115,8 @@ def figures(folder):
 
 
 def of_data_set(run):
-    """Return {name: array} for quantities of `run` in a data set: lines of the bearing, sensor
-    signals."""
+    """Return {name: array} for the quantities of `run` in a data set: lines of the bearing and
+    sensor signals."""
     found = {
         f"label {line}": np.array(place)
         for (line, _), place in spectrum.places(run, harmonics=1).items()
@@ -128,7 +128,7 @@ def of_data_set(run):
 
 
 def of_circuit(run):
-    """Return {name: array} for an inverter's circuit with the bearing of `run`, including
+    """Return {name: array} for the circuit of an inverter with the bearing of `run`, including
     discharges."""
     result = circuit.run(run, MOTOR_OF_INVERTER, Breakdown(70e6, arc=1.0), Leak(1e9))
     assert len(result.events) > 10
@@ -158,7 +158,8 @@ ABOUT_AXIS = {"spin", "cage_speed", "cage_speed_rad_s", "rpm_inner", "rpm_outer"
 
 
 def moved(found, pose):
-    """Return the `figures` found in a scene with a `pose`, in the frame of the bearing."""
+    """Return the results `found` in a scene with a `pose`, converted to the frame of the
+    bearing."""
     new = {}
     for name, values in found.items():
         part, _, key = name.partition(" ")
@@ -188,7 +189,7 @@ def moved(found, pose):
 
 def worst(found, wanted):
     """Return [(error relative to the largest value or to the largest of the vector, name)] for
-    figures that differ by more than 1e-12."""
+    results that differ by more than 1e-12."""
     wrong = []
     for name, one in wanted.items():
         if one is None or found[name] is None:
@@ -212,8 +213,8 @@ def largest(values):
 
 
 def components(name, known):
-    """Return the names of all components of the vector that contains `name`, or of the spectrum
-    that contains its value, or `name` alone."""
+    """Return the names of all components of the vector that contains `name`, or of all values of
+    the spectrum that contains it, or `name` alone."""
     part, _, key = name.partition(" ")
     if part == "line" and key.endswith("amplitude"):
         return ["spectrum"]
@@ -250,7 +251,8 @@ def test_axis(scene, tmp_path):
 
 
 def test_run_about_x(tmp_path):
-    """If the same scene runs about z and about x, all results except the cost agree."""
+    """If the same scene runs with its axis along z and along x, all results except the cost
+    agree."""
     change = [("run 2000", "run 500")]
     about_x = [
         ("bearing/ehd ", "bearing/ehd axis x "),
@@ -290,8 +292,8 @@ def test_plain_deck_about_x(tmp_path):
 
 
 def test_direction_without_a_load(tmp_path):
-    """A radial load at rounding level has no direction, so the direction of the displacement is
-    used."""
+    """A radial load of the size of rounding errors has no direction, so the direction of the
+    displacement is used instead."""
     end = succeed(small(tmp_path, deck=SMALL.replace("run 20000", "run 500")), out=tmp_path)
     assert end.code == 0
     found = []
@@ -306,8 +308,8 @@ def test_direction_without_a_load(tmp_path):
 
 
 def test_run_up_names_the_spall(tmp_path):
-    """In in.run_up BPFO is found in the order spectrum, at the value calculated from the cage of
-    the run."""
+    """In in.run_up, BPFO is found in the order spectrum, at the value calculated from the cage
+    speed in the run."""
     folder = tmp_path / "run"
     deck = tmp_path / "deck"
     deck.write_text(scenes.changed("in.run_up", [("run 15000", "run 8000")]))

@@ -81,8 +81,8 @@ def read_while_it_grows(folder, readers):
 
 
 def kill(folder, whole, dice):
-    """Return the number of samples left by a run that was killed at a random time. They must equal
-    the samples of a complete run."""
+    """Return the number of samples left by a run that was killed at a random time, after checking
+    that they equal the samples of a complete run."""
     process = start(folder)
     wait_for(folder / "record.nc", process)
     time.sleep(dice.uniform(0.0, 0.6))
@@ -119,7 +119,7 @@ def test_killed(whole, tmp_path):
 
 
 def test_programs_agree(whole):
-    """scipy, the reference library and its ncdump can read the record of a run."""
+    """The record of a run can be read by scipy, the netCDF reference library and its ncdump."""
     import netCDF4  # slow to import
 
     folder, data = whole

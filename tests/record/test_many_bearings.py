@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""In a record of several bearings, results for one bearing require a choice, and commands accept
-the number of the bearing."""
+"""If a record contains several bearings, one must be selected to obtain results, and commands
+accept the number of the bearing."""
 
 import json
 import re

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A quantity that is missing from a record causes a one-line error that explains how to record
-it.
-"""
+"""If a quantity is missing from a record, a one-line error message explains how to record it."""
 
 import re
 import shutil
@@ -20,7 +18,7 @@ NO_CONTACTS = "record.nc has no contacts: record them with -var record all"
 
 @pytest.fixture(scope="module")
 def sums(tmp_path_factory):
-    """Return the folder of a run of the main deck with a record that contains only sums."""
+    """Return the folder of a run of the main deck whose record contains only sums."""
     folder = tmp_path_factory.mktemp("sums") / "run"
     succeed(out=folder, **{**MAIN, "record": "summary", "dumps": "no"})
     return folder
@@ -28,7 +26,7 @@ def sums(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def motion_alone(tmp_path_factory):
-    """Return the folder of a run of docs/decks/in.smallest with a record of balls without
+    """Return the folder of a run of docs/decks/in.smallest whose record contains balls but no
     contacts.
     """
     folder = tmp_path_factory.mktemp("motion")
@@ -38,8 +36,8 @@ def motion_alone(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def load_alone(tmp_path_factory):
-    """Return the folder of a run of docs/decks/in.smallest with loads as the only contact
-    column.
+    """Return the folder of a run of docs/decks/in.smallest whose record contains loads as the only
+    contact column.
     """
     folder = tmp_path_factory.mktemp("load")
     succeed(small(folder, "contacts load"))
@@ -47,8 +45,8 @@ def load_alone(tmp_path_factory):
 
 
 def copied(folder, to, **changes):
-    """Copy the folder of a run; `samples` is the number of samples left in its record, `cut` the
-    number of bytes kept."""
+    """Copy the folder of a run; `samples` is the number of samples to keep in its record, and `cut`
+    is the number of bytes to keep."""
     shutil.copytree(folder, to)
     content = bytearray((to / "record.nc").read_bytes())
     if "samples" in changes:
@@ -87,7 +85,7 @@ def test_a_command_that_needs_contacts(sums, words, capsys):
     ids=lambda words: words[-1],
 )
 def test_contacts_of_one_column(load_alone, words, capsys):
-    """A command that requires more columns reports this in one line; a report omits such
+    """A command that requires more columns reports this in one line, and a report omits such
     pictures.
     """
     name, *more = words

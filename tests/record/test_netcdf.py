@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the netCDF writer: all readers agree, also while a file grows, after a kill and after
-truncation."""
+"""Tests of the netCDF writer: all readers agree, also while a file grows, after the writer has been
+killed and after truncation."""
 
 import ctypes
 import os
@@ -152,8 +152,8 @@ def test_batches_leave_the_same_bytes(library, tmp_path):
 
 
 def test_go_on(library, tmp_path):
-    """A file that is truncated to an earlier record, complete or not, and continued has the same
-    bytes as an uninterrupted file."""
+    """If a file is truncated to an earlier record, complete or not, and then continued, it has the
+    same bytes as an uninterrupted file."""
     whole, cut = tmp_path / "whole.nc", tmp_path / "cut.nc"
     for path in (whole, cut):
         writer = Writer(library, path)

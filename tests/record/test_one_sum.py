@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every bearing or ring quantity is the sum or the extreme over its contacts, and the power
-supplied by shaft and loads equals the losses plus the rate of energy storage, for all models,
-bearing types, integrators and hosts."""
+"""Every bearing or ring quantity is the sum or the extreme value over its contacts. The power
+supplied by shaft and loads equals the losses plus the rate of energy storage. Both statements hold
+for all models, bearing types, integrators and hosts."""
 
 import numpy as np
 import pytest
@@ -40,7 +40,7 @@ COMBINED = "x free y free z free rx free ry free"
 LOADS = {RADIAL: (0, -2000, 0), COMBINED: (0, -1000, 3000)}  # N
 MASS, TRANSVERSE = 0.2, 6.5e-5  # kg, kg m^2 of the inner ring
 RING = "x y z vx vy vz tilt_1 tilt_2 mz spin".split()
-# {type: (motion of the inner ring, distance of grooves from the mid-plane, cage, bearings)}
+# {type: (motion of inner ring, distance of the grooves from the mid-plane, cage, bearings)}
 KINDS = {
     "radial": (RADIAL, 0.0, False, 1),
     "cage": (RADIAL, 0.0, True, 1),
@@ -146,8 +146,8 @@ def deck(law, kind, integrator, out, finer):
 
 
 class Ran:
-    """A completed run of a scene: its record, and output of computes and the energy balance by
-    step."""
+    """A completed run of a scene: its record, and the output of computes and the energy balance for
+    each step."""
 
     def __init__(self, folder, text, wet=False, host="liggghts", ranks=1):
         self.wet = wet
@@ -156,7 +156,7 @@ class Ran:
         assert done.code == 0, done.text[-3000:]
         with xr.open_dataset(folder / "record.nc") as data:
             self.record = data.load()
-        # arrays are used because access to an element of a Dataset takes a hundred times as long
+        # arrays, because access to an element of a Dataset takes a hundred times as long
         self.values = {n: column.to_numpy() for n, column in self.record.variables.items()}
         self.steps = self.values["step"].astype(int).tolist()
         lines = [
@@ -172,8 +172,8 @@ class Ran:
         }
 
     def contacts(self, step):
-        """Return {column: array (raceway, ball)}; without contact values are NaN, and losses and
-        loads 0."""
+        """Return {column: array (raceway, ball)}. Where there is no contact, values are NaN, except
+        that losses and loads are 0."""
         at = self.steps.index(step)
         over_time = [n for n in CONTACTS if n in self.values and self.values[n].ndim == 3]
         return {n: self.values[n][at] for n in over_time}
@@ -213,7 +213,8 @@ def same(one, other, terms=()):
 
 
 def figures(contacts, inner, balls, wet):
-    """Return {name: (figure, its terms)} for the contacts of `balls`, as columns are defined."""
+    """Return {name: (result, its terms)} for the contacts of `balls`, as the columns are
+    defined."""
     c = {name: values[:, balls] for name, values in contacts.items()}
     live = c["load"] > 0
     found = {"contacts": (live.sum(), ())}
@@ -326,7 +327,7 @@ def test_compute_total_has_the_sums_of_all_bearings(ran):
 
 @scenes([scene for scene in SCENES if "drag" in LAWS[scene[0]]])
 def test_each_ball_has_one_drag(ran):
-    """The drag of a ball counts once, on the outer ring, with any number of grooves."""
+    """The drag of a ball counts once, on the outer ring, for any number of grooves."""
     inner, several = ran.inner(), 0
     for step in ran.steps:
         c = ran.contacts(step)
@@ -344,14 +345,14 @@ def losses(data):
 
 
 def latter_half(data):
-    """Return the first and last sample of the latter half, a multiple of four samples apart."""
+    """Return the first and the last sample of the latter half; they are 4 n samples apart."""
     last = len(data["time"]) - 1
     return last - last // 8 * 4, last
 
 
 def integrals(data, power, every):
-    """Return the energies in J over the latter half of the samples, using every n-th sample, n in
-    `every`."""
+    """Return the energies in J over the latter half of the samples, computed with every n-th sample
+    for each n in `every`."""
     first, last = latter_half(data)
     time = data["time"].to_numpy()
     return [np.trapezoid(power[first : last + 1 : n], time[first : last + 1 : n]) for n in every]
@@ -359,8 +360,8 @@ def integrals(data, power, every):
 
 @scenes([scene for scene in SCENES if scene[2] == "verlet"])
 def test_power_in_is_losses_plus_what_the_host_stores(ran, scene):
-    """Under velocity Verlet the stored energy is computed by the host. The work of constant loads
-    is computed from the displacement."""
+    """Under velocity Verlet, the host computes the stored energy. The work of constant loads is
+    computed from the displacement."""
     data, steps = ran.record, ran.steps
     moves = data["ring_raceway"] == 0
     ring = {name: data[f"ring_{name}"][:, moves].to_numpy() for name in RING}
@@ -383,8 +384,8 @@ def test_power_in_is_losses_plus_what_the_host_stores(ran, scene):
 
 @scenes([scene for scene in SCENES if scene[2] == "implicit"])
 def test_power_in_is_losses_plus_what_is_stored(ran):
-    """The energies are those in the energy balance of fix bearing/implicit. A sum over samples is
-    accurate to the difference between sums over every second and every fourth sample; the error of
+    """The energies are those in the energy balance of fix bearing/implicit. The error of a sum over
+    samples is the difference between sums over every second and every fourth sample. The error of
     the integrator is `missing` in the balance."""
     data, steps = ran.record, ran.steps
     first, last = latter_half(data)

@@ -59,8 +59,8 @@ def test_numbers_that_a_deck_notes(tmp_path):
 
 
 def test_a_run_that_goes_on_is_one(tmp_path):
-    """Until a continued run has ended, its record contains more samples than the run.yaml of the
-    previous part states."""
+    """Until a continued run has ended, its record contains more samples than run.yaml states for
+    the previous part."""
     succeed(small(tmp_path, more="", deck=SMALL + "run 5000\n"))
     folder = tmp_path / "run"
     assert raceway.open(folder).tables.settings["simulated_s"] == pytest.approx(0.025)
@@ -73,8 +73,8 @@ def test_a_run_that_goes_on_is_one(tmp_path):
 
 
 def test_words_of_a_deck(tmp_path):
-    """Numbers that agree to 15 digits are considered equal, and texts remain texts regardless of
-    how YAML would interpret them."""
+    """Numbers that agree to 15 digits are considered equal, and texts remain texts however YAML
+    would interpret them."""
     notes = "number third 0.3333333333333333333 number large 1.23456789012345678e23"
     notes += " text quoted 'x:y' text label \"a: b # c\""
     succeed(small(tmp_path, notes))

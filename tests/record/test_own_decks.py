@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every command can read records of decks other than the main deck, with any bearing and load."""
+"""Every command can read records of decks other than the main deck, for any bearing and load."""
 
 import json
 
@@ -12,14 +12,14 @@ from raceway.cli import main as command
 RECORD = "fix rec all bearing/record 200 ${out} overwrite yes\n"
 DECKS = {  # {name: (balls, largest rpm, load on the inner ring in N)}
     "in.combined": (None, 1500, 4472),
-    "in.unbalance": (9, 3000, 500),  # growing angles do not have a mean value
+    "in.unbalance": (9, 3000, 500),  # growing angles have no mean
     "in.ehd": (9, 477.5, 5000),
 }
 
 
 @pytest.fixture(scope="module", params=DECKS)
 def own(request, tmp_path_factory):
-    """Return (name, folder) for a run of a deck in docs/decks with a record."""
+    """Return the name of a deck in docs/decks, and the folder of its run with a record."""
     folder = tmp_path_factory.mktemp("own")
     text = (ROOT / "docs" / "decks" / request.param).read_text()
     if "bearing/record" not in text:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of frequencies, ball passes and speeds computed from the motion of balls and rings in a
-run: angular contact, rotation of either ring in either direction, a changing speed."""
+"""Tests of frequencies, ball passes and speeds that are computed from the motion of balls and rings
+in a run with angular contact, rotation of either ring in either direction, or a changing speed."""
 
 import numpy as np
 import pytest
@@ -25,8 +25,8 @@ def run(request, tmp_path_factory):
 
 
 def angles(run):
-    """Return (cage, inner, outer): angles in rad (time,) through which the balls, on average, and
-    the rings have rotated."""
+    """Return (cage, inner, outer), the angles (time,) in rad through which the balls, on average,
+    and the rings have rotated."""
     x, y = (run.balls[name].transpose("time", "ball").to_numpy() for name in "xy")
     cage = np.unwrap(np.arctan2(y, x), axis=0).mean(1)
     data = run.tables.record.read(["ring_angle"])["ring_angle"]
@@ -84,15 +84,13 @@ def test_rotation_of_balls_that_are_not_recorded(tmp_path):
 
 
 def test_speed_at_the_largest_load(run):
-    """The summary states the speed at the largest load and the range of speeds, also during a
-    ramp.
-    """
+    """The summary states the speed at the largest load and the range of speeds, also for a ramp."""
     figures = summary(run.tables)
     data = run.tables.record.read(["ring_spin"])["ring_spin"]
     sides = list(run.tables.record.fixed("ring_raceway"))
     speed = data[:, sides.index(0)] - (data[:, sides.index(1)] if 1 in sides else 0)
     rpm = np.abs(speed) * 30 / np.pi
-    want = rpm[1:].min(), rpm[1:].max()  # the first sample is the state before the measurement
+    want = rpm[1:].min(), rpm[1:].max()  # the first sample precedes the measurement
     assert (figures["rpm_least"], figures["rpm_most"]) == pytest.approx(want, rel=1e-6)
     top = int(run.bearing["load_inner"].to_numpy().argmax())
     assert figures["rpm_top"] == pytest.approx(rpm[top], rel=1e-6)

@@ -103,7 +103,7 @@ def test_read_when_used(main_run):
 
 @pytest.mark.parametrize("name", ["load", "ring_fx", "bearing_capacitance", "cage_vx", "time"])
 def test_samples_here_and_there(main_run, name):
-    """An index selects the same values from the file as from an array."""
+    """An index selects the same values from the file as from an array in memory."""
     record = Record(main_run)
     with xr.open_dataset(main_run / "record.nc", engine="scipy") as data:
         values = data[name].to_numpy().astype(float)
@@ -137,7 +137,7 @@ def test_commands_on_one_line(one_line, words, tmp_path, capsys):
 
 
 def test_what_nobody_told(one_line):
-    """If a deck does not state load, speed and direction, the measured values are used."""
+    """If a deck does not state the load, its direction and the speed, measured values are used."""
     run = raceway.open(one_line)
     settings = run.settings
     assert settings["rpm"] == pytest.approx(50 * 30 / np.pi, rel=1e-12)
@@ -186,7 +186,7 @@ def test_a_summary_has_the_figures(tmp_path):
 
 
 def test_unfinished(tmp_path):
-    """A run that has stopped half-way can be read, but a summary of it is rejected."""
+    """A run that has stopped half-way can be read, but its summary is refused."""
     folder = tmp_path / "run"
     succeed(small(tmp_path, deck=SMALL.replace("run 20000", "run 5000")))
     text = (folder / "run.yaml").read_text()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/record agrees with the host's dumps and writes the same bytes on any number of ranks,
-and a continued run writes the same bytes as an uninterrupted run."""
+"""fix bearing/record agrees with the host's dumps and writes the same bytes on any number of ranks.
+A continued run writes the same bytes as an uninterrupted run."""
 
 import re
 
@@ -126,7 +126,7 @@ def test_what_the_bearing_is(main):
     "host, ranks", [("liggghts", 2), ("liggghts", 4), ("lammps", 2), ("wheel", 2)]
 )
 def test_ranks(host, ranks, tmp_path):
-    """The record has the same bytes if the box of the main deck is cut through the bearing."""
+    """The record has the same bytes if the box of the main deck is split through the bearing."""
     for n in (1, ranks):
         succeed(host=host, ranks=n, out=tmp_path / str(n), **MAIN)
     one = (tmp_path / "1" / "record.nc").read_bytes()
@@ -186,7 +186,7 @@ def test_none(tmp_path):
 
 
 def test_notes_of_the_decks_variables(tmp_path):
-    """NAME=VARIABLE, repeated as needed, is equivalent to NAME VALUE in the same order."""
+    """NAME=VARIABLE, which may be repeated, is equivalent to NAME VALUE in the same order."""
     notes = {
         "plain": "number mass_kg 0.333333333333333 goal turns 3 text oil thin number load_N 2.5e3",
         "variables": "number mass_kg=third goal turns=turns text oil=oil number load_N=load",
@@ -224,7 +224,7 @@ def test_several_runs(tmp_path):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_resume(ranks, tmp_path):
-    """A run resumes from a restart file written half-way; samples after this file are removed."""
+    """A run resumes from a restart file written half-way; the samples after it are removed."""
     whole, parts = tmp_path / "whole", tmp_path / "parts"
     for folder in (whole, parts):
         folder.mkdir()
@@ -296,8 +296,8 @@ def test_many_on_any_ranks(many):
 
 
 def test_many_is_its_table(many):
-    """The record equals the table, which contains a row of compute bearing/ring for each inner ring
-    and sample."""
+    """The record equals the table, which contains one row of compute bearing/ring for each inner
+    ring and sample."""
     names = (
         "ring x y spin fx fy torque contacts balls load pressure h_min lambda orbit friction_power"
     )

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A summary warns if a contact ellipse extends beyond the shoulder of its groove and the bearing
-file contains shoulder diameters."""
+"""A summary warns if a contact ellipse extends beyond the shoulder of its groove, provided that the
+bearing file contains shoulder diameters."""
 
 import pytest
 import raceway

@@ -29,7 +29,7 @@ fix sums all print {every} "${{s}} ${{a}} ${{b}} ${{c}} ${{d}}" file {out}/sums.
 
 
 def main(folder, **variables):
-    """Return the loaded record of a run of the main deck, and a mask of existing contacts."""
+    """Return the loaded record of a run of the main deck, and a mask of the existing contacts."""
     succeed("inputs/in.6208", out=folder, overwrite="yes", settle=1, passes=1, **variables)
     with xr.open_dataset(folder / "record.nc") as data:
         data = data.load()
@@ -76,8 +76,8 @@ def test_every_ball_has_both_capacitors(loaded):
     np.testing.assert_array_equal(plates == 0, ~live)
     np.testing.assert_array_equal(total, plates + outside)
     np.testing.assert_array_equal(np.isnan(data["h_c"].values), ~live)
-    # far from contact the separation is the gap between the rigid surfaces; under light loads it is
-    # the film thickness
+    # far from contact, the separation is the gap between the rigid surfaces; under light loads, it
+    # is the film thickness
     separation = data["separation"].values
     assert separation[~live].max() > 5e-6
     np.testing.assert_array_equal((data["h_c"].values >= separation)[live], True)
@@ -91,7 +91,7 @@ def test_every_ball_has_both_capacitors(loaded):
 
 
 def test_t6_balls_by_azimuth(loaded):
-    """The capacitance of a ball (pF) at 0, 40 and 80 degrees from the load, interpolated linearly,
+    """The capacitance in pF of a ball at 0, 40 and 80 degrees from the load, interpolated linearly,
     agrees with known values."""
     known = {
         "none": (44.9, 33.3, 6.27),
@@ -109,8 +109,8 @@ def test_t6_balls_by_azimuth(loaded):
 
 
 def test_t6_the_bearing(loaded):
-    """With a ball on the load line, the capacitances in pF are: plates 124, about 248 flooded,
-    about 214 cavitated."""
+    """With a ball on the load line, the capacitances in pF are 124 for the plates, about 248 if
+    flooded and about 214 if cavitated."""
     known = {"none": 124, "flooded": 248, "cavitated": 214}
     for word, truth in known.items():
         data, _ = loaded[word]
@@ -128,8 +128,8 @@ def test_t5_what_fills_the_gap(loaded):
 
 
 def test_t6_light_and_fast(tmp_path):
-    """At 400 N and 6000 rpm with 12 um clearance, the capacitances in pF are: plates 9.4, 101
-    flooded, 77 cavitated."""
+    """At 400 N and 6000 rpm with 12 um clearance, the capacitances in pF are 9.4 for the plates,
+    101 if flooded and 77 if cavitated."""
     named = {"load": 400, "rpm": 6000, "clearance": 12e-6} | OIL | SHOULDERS
     found = {}
     for word in ("flooded", "cavitated"):
@@ -146,8 +146,8 @@ def test_t6_light_and_fast(tmp_path):
 @pytest.mark.parametrize("models", ["paper", "film"])
 def test_t7_loss_and_return_of_contact(tmp_path, rpm, models):
     """With 12 um clearance, the largest change in a contact's capacitance over a sample in which
-    contact is lost or regained decreases to about a quarter with a quarter of the sampling
-    interval, because the capacitance is continuous there. The mean does not change."""
+    contact is lost or regained falls to about a quarter when the sampling interval is quartered,
+    because the capacitance is continuous there. The mean does not change."""
     steps, means = [], []
     for samples in (200, 800):
         data, live = main(
@@ -194,8 +194,8 @@ def recorded(folder, options="", **more):
 
 
 def test_within_a_step(tmp_path):
-    """Record and fix share one evaluation. Values at the ends of steps do not depend on the number
-    of instants, and finer steps give the same values."""
+    """The record and the fix share one evaluation. Values at the ends of steps do not depend on the
+    number of instants, and finer steps give the same values."""
     coarse = recorded(tmp_path / "coarse", "within 4", sample=4e-4, samples=20)
     plain = recorded(tmp_path / "plain", sample=4e-4, samples=20)
     fine = recorded(
@@ -253,7 +253,7 @@ def test_computes_and_the_fix(tmp_path, integrator):
 
 @pytest.mark.parametrize("host, ranks", [("liggghts", 2), ("liggghts", 4), ("lammps", 2)])
 def test_same_bits_with_velocity_verlet(tmp_path, host, ranks):
-    """Velocities of rings on other ranks are half a step old, so gaps are evaluated together with
+    """Velocities of rings on other ranks lag by half a step, so gaps are evaluated together with
     the contacts."""
     fix = "fix cap balls bearing/capacitance 250 permittivity 2.2 surroundings flooded\n"
     named = {"integrator": "verlet", "substeps": 250, "samples": 8}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The synthetic record for the tests of the reader has the same layout as a real record."""
+"""The synthetic record used in the tests of the reader has the same layout as a real record."""
 
 import pytest
 import synthetic
@@ -8,8 +8,8 @@ from host import succeed
 
 
 def layout(folder):
-    """Return (dimensions except time, {variable: (dimensions, type, attributes)}, {attribute:
-    type}) without checksums, which synthetic records do not contain."""
+    """Return the layout without the checksums, which synthetic records do not contain: (dimensions
+    except time, {variable: (dimensions, type, attributes)}, {attribute: type})."""
     with xr.open_dataset(folder / "record.nc", engine="scipy", decode_cf=False) as data:
         data = data.drop_vars("checksum", errors="ignore")
         sizes = {name: size for name, size in data.sizes.items() if name != "time"}

@@ -10,7 +10,7 @@ CASE = "tests/implicit/in.case"
 TILTED = (
     "x free y free z free rx free ry free spin speed 50 force 0 -5000 1000 moment 5 0 0 ramp 3.0e-3"
 )
-ANGLE_A_SAMPLE = 2 * np.pi / 9 / 200  # rad, motion of a ball per sample in the main deck
+ANGLE_A_SAMPLE = 2 * np.pi / 9 / 200  # rad, angle that a ball orbits per sample in the main deck
 FIX = "fix rec all bearing/record 1 {out}/rec {options}\n"
 CAPACITANCE = "fix cap balls bearing/capacitance 1 permittivity 2.25\n"
 
@@ -28,7 +28,7 @@ def recorded(folder, options="", fixes=CAPACITANCE, ranks=1, control="tolerance 
 @pytest.fixture(scope="module")
 def coarse_and_fine(tmp_path_factory):
     """Return records with host steps of 0.8 ms and 8 samples per step, and with host steps of 0.1
-    ms, or 1 degree of orbit, both with an error of 0.1 nm per internal step."""
+    ms, or 1 degree of orbit. Both have an error of 0.1 nm per internal step."""
     folder = tmp_path_factory.mktemp("within")
     case = {"control": "tolerance 1e-10"}
     coarse = recorded(folder / "coarse", "within 8", sample=8e-4, samples=20, **case)
@@ -45,7 +45,7 @@ def test_times(coarse_and_fine):
 
 def test_every_column_is_what_finer_steps_give(coarse_and_fine):
     """After the start, all variables in the file agree to within the fraction of their largest
-    value that a step error of 0.1 nm allows."""
+    value that corresponds to a step error of 0.1 nm."""
     coarse, fine = coarse_and_fine
     seen = 0
     for name, truth in fine.data_vars.items():
@@ -83,7 +83,7 @@ def test_ends_of_steps_are_those_of_a_record_without_instants(tmp_path):
 
 
 def test_shares_the_evaluation_with_the_capacitance(tmp_path):
-    """Loads, films and capacitances in the record and in the fix are identical; the record contains
+    """Loads, films and capacitances in the record and in the fix are identical. The record contains
     the same numbers if the fix does not evaluate within steps."""
     cap = (
         "fix cap balls bearing/capacitance 1 permittivity 2.25 within 6"
@@ -139,9 +139,7 @@ def test_ranks(ranks, tmp_path):
 
 @pytest.mark.parametrize("host", ["lammps", "wheel"])
 def test_hosts(host, tmp_path):
-    """Samples within steps are available in every host; the results of a step depend on the
-    host.
-    """
+    """Samples within steps are available in every host; a step's results depend on the host."""
     for name in ("liggghts", host):
         succeed("inputs/in.6208", host=name, out=tmp_path / name, samples=100, passes=1)
     one, other = (
@@ -197,15 +195,15 @@ def share(name, found, truth, where):
 
 
 def test_the_main_deck_is_accurate_enough(tmp_path):
-    """Errors with the default tolerance and ten samples per step, relative to a tolerance of 1 pm
-    and one step per sample, are within the column errors stated in docs/output.rst."""
+    """With the default tolerance and ten samples per step, the errors relative to a tolerance of 1
+    pm and one step per sample are within those stated for the columns in docs/output.rst."""
     case = {"passes": 1, "record": "all"}
     succeed("inputs/in.6208", out=tmp_path / "run", **case)
     succeed("inputs/in.6208", out=tmp_path / "fine", tolerance=1e-12, within=1, **case)
     found = xr.open_dataset(tmp_path / "run" / "record.nc").load()
     truth = xr.open_dataset(tmp_path / "fine" / "record.nc").load()
     assert np.ptp(found["step"].values) == 20 and np.ptp(truth["step"].values) == 200
-    # one run begins to measure at the end of a step of ten samples, the other run immediately
+    # one run begins to measure at the end of a step of ten samples, the other immediately
     azimuth = truth["azimuth"].values[0] - found["azimuth"].values[0]
     shift = int(np.rint(-np.nanmedian(azimuth) / ANGLE_A_SAMPLE))
     assert 0 <= shift < 10

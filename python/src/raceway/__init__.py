@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from raceway.runs.run import Run
     from raceway.sweeps.one_run import simulate as simulate
 
-# `raceway.NAME` is either a module in one of these folders or in the package itself, or a class or
+# `raceway.NAME` is a module in one of these folders or in the package itself, or else a class or
 # function listed in CLASSES
 ROOMS = ("theory", "runs", "electric", "recordings")
 CLASSES = {"Run": "runs.run", "RunTables": "runs.tables", "simulate": "sweeps.one_run"}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Type hints for numbers and arrays, and helpers for the `__repr__` of results. Docstrings state
-shapes and units."""
+"""Type hints for numbers and arrays, and helpers for the `__repr__` of results. Shapes and units
+are stated in docstrings."""
 
 from dataclasses import fields, is_dataclass
 from typing import Any
@@ -12,7 +12,7 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Numbers = float | Floats  # one number or an array of them
 
-SHOWN = 6  # arrays up to this length are printed in full, longer ones by shape and range
+SHOWN = 6  # arrays up to this length are printed in full; longer ones as shape and range
 
 
 def short(result: Any) -> str:

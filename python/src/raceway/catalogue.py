@@ -12,13 +12,13 @@ from raceway.inputs import InputError
 KINDS = {"bearings": "bearing", "lubricants": "lubricant"}
 # In a source tree this is a link to the inputs folder; a wheel contains copies of the files.
 SHIPPED = Path(__file__).with_name("data")
-MANY = 20  # if a message would list more names than this, only similar names are listed
+MANY = 20  # if a message would list more names than this, it lists only similar names
 
 
 def folder(given: FilePath | None = None) -> Path:
     """Return the inputs folder. This is `given` or, by default, the folder `inputs` in the working
-    directory or one of its parents, and otherwise the data folder of the package. Raises
-    `InputError` if `given` is not a folder."""
+    directory or one of its parents, or else the data folder of the package. Raises `InputError` if
+    `given` is not a folder."""
     if given is not None:
         if not Path(given).is_dir():
             raise InputError(f"there is no folder {given}")
@@ -31,11 +31,11 @@ def folder(given: FilePath | None = None) -> Path:
 
 
 def find(kind: str, name: str, inputs: FilePath | None = None) -> Path:
-    """Return the path of the data file `name` of a kind ("bearings" or "lubricants"); a name with a
-    slash is itself a path. If no such file exists but a table in the folder has a row with that
-    name, `raceway.inputs` reads the row when it is given this path.
+    """Return the path of the data file `name` of a kind ("bearings" or "lubricants"). A name with a
+    slash is itself a path. If there is no such file, but a table in the folder has a row with that
+    name, the path is returned nevertheless; `raceway.inputs` then reads the row.
 
-    `inputs` is a folder or None (see `folder`). Raises `InputError`, which lists the available
+    `inputs` is a folder or None (see `folder`). Raises an `InputError` that lists the available
     names.
     """
     if "/" in name:

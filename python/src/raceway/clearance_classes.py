@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The clearance classes C2, CN, C3, C4 and C5 for deep groove ball bearings with a cylindrical bore
-(ISO 5753:1991, as reproduced in SKF General Catalogue 6000, Russian edition, 2006, page 297; taken
-from the text layer of the catalogue in github.com/ArtemFilin1990/Mar)."""
+"""Clearance classes C2, CN, C3, C4 and C5 of deep groove ball bearings with a cylindrical bore (ISO
+5753:1991, as reproduced in SKF General Catalogue 6000, Russian edition, 2006, page 297; taken from
+the text layer of the catalogue in github.com/ArtemFilin1990/Mar)."""
 
 import csv
 from pathlib import Path
 
-TABLE = Path(__file__).with_suffix(".csv")  # mm, um
+TABLE = Path(__file__).with_suffix(".csv")  # bores in mm, clearances in um
 NAMES = ("C2", "CN", "C3", "C4", "C5")
 
 
 def of_bore(bore: float) -> dict[str, tuple[float, float]]:
-    """Return {class: (least, greatest)}, the limits of the diametral clearance in m of an unmounted
-    and unloaded bearing at uniform temperature, for a `bore` in m. There are no classes C4 and C5
-    for bores up to 6 mm. Raises `ValueError` unless the bore is above 0 and at most 0.12 m.
+    """Return {class: (smallest, largest)}, the limits in m of the diametral clearance of an
+    unmounted and unloaded bearing at uniform temperature, for a `bore` in m. There are no classes
+    C4 and C5 for bores up to 6 mm. Raises `ValueError` unless the bore is above 0 and at most 0.12
+    m.
 
     >>> of_bore(40e-3)["C3"]
     (1.5e-05, 3.3e-05)

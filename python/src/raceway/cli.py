@@ -29,7 +29,7 @@ Exit codes: 0 done; 1 not done, with a message; 2 wrong command line; 130 interr
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run the command with `argv` (default: the arguments of the process); return its exit code."""
+    """Run the command with `argv` (default: the process's arguments), and return its exit code."""
     words = sys.argv[1:] if argv is None else list(argv)
     parser = _parser()
     if not words:
@@ -51,7 +51,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"raceway: {error}", file=sys.stderr)
         return 1
     except BrokenPipeError:
-        # the reader has closed the pipe: redirect stdout, which the interpreter flushes at exit
+        # the reader has closed the pipe; redirect stdout, because the interpreter flushes it at
+        # exit
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except OSError as error:
@@ -64,8 +65,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def modules() -> Iterator[ModuleType]:
     """Yield the subcommands, i.e. the modules in `raceway.commands` that define `add` and `run`, in
-    alphabetical order. A module whose name begins with an underscore is a helper that loads large
-    packages, and is skipped without being imported."""
+    alphabetical order. Modules whose names begin with an underscore are helpers that load large
+    packages; they are skipped without being imported."""
     for found in pkgutil.iter_modules(commands.__path__):
         if found.name.startswith("_"):
             continue

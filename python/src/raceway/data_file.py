@@ -19,7 +19,7 @@ REMARK = re.compile(r"\s*variable\s+(\w+)\s+index\s+\S+\s*#\s*(.*\S)")
 
 
 class Range(NamedTuple):
-    """Range of values that a variable may have."""
+    """Range of the permitted values of a variable."""
 
     low: float
     high: float
@@ -39,9 +39,9 @@ class Range(NamedTuple):
 
 
 def text(path: FilePath) -> str:
-    """Return the text of a data file or, if there is no such file, the text that represents the row
-    of that name in a table in its folder (`data_table`). Raises `InputError` if neither exists or
-    the file cannot be read."""
+    """Return the text of a data file. If there is no such file, return instead the text that
+    represents the row of that name in a table in its folder (`data_table`). Raises `InputError` if
+    neither exists or the file cannot be read."""
     path = Path(path)
     if not path.is_file() and (row := data_table.text(path)):
         return row

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables of data files, `FOLDER/*.csv`, in which each row takes the place of a data file with the
-same name (see `docs/catalogue.rst` for the format)."""
+"""Tables of data files, `FOLDER/*.csv`, in which each row replaces a data file of the same name
+(see `docs/catalogue.rst` for the format)."""
 
 import re
 from functools import lru_cache
@@ -8,13 +8,13 @@ from pathlib import Path
 
 from raceway.errors import InputError
 
-# comment that explains a column or a source
+# a comment that explains a column or a source
 SAID = re.compile(r"# (\w[\w ]*): (.+)")
 SIZES = ("bore_diameter", "outside_diameter", "bearing_width")
 
 
 def names(folder: Path) -> list[str]:
-    """Return the sorted names of the data in a folder, i.e. of its files and of the rows in its
+    """Return the sorted names of the data in a folder, i.e. of its files and of the rows of its
     tables. The list is empty if the folder does not exist."""
     if not folder.is_dir():
         return []
@@ -23,8 +23,8 @@ def names(folder: Path) -> list[str]:
 
 
 def text(path: Path) -> str | None:
-    """Return the text of the data file that the row `path.name` of a table in `path.parent`
-    represents, with a comment after each value, or None if there is no such row. Raises
+    """Return the text of the data file that is represented by the row `path.name` of a table in
+    `path.parent`, with a comment after each value. Return None if there is no such row. Raises
     `InputError` if a table is invalid."""
     for table in _tables(path.parent):
         if path.name in table.rows:
@@ -43,7 +43,7 @@ def _table(path, changed):
 
 
 class _Table:
-    """One table: its comments, the commands that apply to all rows, its heading and its rows."""
+    """A table with its comments, the commands that apply to all rows, its heading and its rows."""
 
     def __init__(self, path):
         self.path = path
@@ -95,12 +95,13 @@ class _Table:
 
 
 def _filled(said, row):
-    """Return a comment in which each name in braces is replaced by the row's cell of that name."""
+    """Return the comment `said`, with each name in braces replaced by the row's cell of that
+    name."""
     return re.sub(r"\{(\w+)\}", lambda note: row.get(note[1], note[0]), said)
 
 
 def _title(row):
-    """Return the title of a bearing, e.g. 6306 deep groove ball bearing, 30 x 72 x 19 mm"""
+    """Return the title of a bearing, such as "6306 deep groove ball bearing, 30 x 72 x 19 mm"."""
     kind = f" {row['kind']} ball bearing" if row.get("kind") else ""
     if not all(row.get(size) for size in SIZES):
         return row["name"] + kind

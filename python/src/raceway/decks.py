@@ -12,7 +12,7 @@ INPUTS = "inputs"
 
 
 def decks() -> dict[str, str]:
-    """Return {name: title} for all decks; the title is the first comment in the deck."""
+    """Return {name: title} for all decks, where the title is the first comment in the deck."""
     return {path.name: _title(path.read_text()) for path in sorted(catalogue.SHIPPED.glob("in.*"))}
 
 
@@ -28,12 +28,12 @@ def bearings() -> list[str]:
 
 
 def copy(name: str, to: FilePath = ".") -> list[Path]:
-    """Copy the deck, bearing or lubricant `name` into the folder `to` and return the paths of the
+    """Copy the deck, bearing or lubricant `name` to the folder `to`, and return the paths of the
     files written. A deck is copied together with a folder `inputs` that contains all files it
     reads.
 
-    An existing file with identical text is not rewritten. Raises `InputError` for an unknown name,
-    and also if a file with different text exists; in that case nothing is written.
+    An existing file with identical text is not rewritten. Raises `InputError` if the name is
+    unknown or if a file with different text exists; in the latter case nothing is written.
     """
     shipped, to = catalogue.SHIPPED, Path(to)
     if name in decks():
@@ -66,5 +66,5 @@ def _is(path, text):
 
 
 def _title(text):
-    """Return the first line without its comment mark."""
+    """Return the first line of a file without its comment mark."""
     return text.partition("\n")[0].lstrip("# ")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write files in such a way that they appear complete or not at all."""
+"""Write files such that they appear either complete or not at all."""
 
 import os
 import stat

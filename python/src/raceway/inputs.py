@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from raceway.data_file import check, numbers, values
-from raceway.data_file import comments as comments  # also public here
+from raceway.data_file import comments as comments  # re-exported
 from raceway.data_file import text as text
 from raceway.errors import InputError
 from raceway.files import FilePath
@@ -16,7 +16,7 @@ from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.lubricant import Fluid, Lubricant, Vogel, Walther
 from raceway.theory.validity import Shoulders
 
-# variables of a lubricant in the order of `Lubricant`, and variables that set a field of `Fluid`
+# deck variables for the fields of `Lubricant`, in their order, and for the fields of `Fluid`
 PHYSICAL = (
     "oil_density_40",
     "oil_density_slope",
@@ -41,7 +41,7 @@ FLUID = {
 }
 
 
-# variables that a bearing file may omit if it states the pitch diameter and the conformities
+# variables that a bearing file can omit if it states the pitch diameter and the conformities
 RADII = ("inner_radius", "outer_radius", "inner_groove", "outer_groove")
 STEEL = {"ball_young": 210e9, "ball_poisson": 0.3}
 
@@ -51,8 +51,8 @@ class Oil(NamedTuple):
 
     viscosity: float  # Pa s
     pressure_viscosity: float  # 1/Pa
-    permittivity: float  # relative, at ambient pressure
-    roughness: float  # m, composite
+    permittivity: float  # relative permittivity at ambient pressure
+    roughness: float  # m, composite roughness
 
 
 def _named(kind, path):
@@ -72,9 +72,9 @@ def bearing(
     one_groove: str | None = None,
 ) -> Bearing:
     """Return the `Bearing` defined by a file in inputs/bearings or by a name in the catalogue. It
-    has four-point contact if the file or `four_point` (rad) specifies an angle, and two rows if
-    `double_row` is given. If `one_groove` is given, a bearing with several grooves per ring is
-    rejected for the reason that `one_groove` states. Raises `InputError`."""
+    is a four-point contact bearing if the file or `four_point` (rad) specifies an angle, and has
+    two rows if `double_row` is given. If `one_groove` is given, a bearing with several grooves per
+    ring is rejected; `one_groove` is the reason given in the message. Raises `InputError`."""
     path = _named("bearings", path)
     body = _one_groove(path)
     angle = four_point_angle(path) if four_point is None else four_point
@@ -128,9 +128,9 @@ def held(
     path: FilePath, axial: float, clearance: float = 0.0, double_row: DoubleRow | None = None
 ) -> dict[str, float]:
     """Return {"z": position in m}, where z is the axial position at which decks hold the inner ring
-    of a single-row bearing if there is no `axial` load (N). At this position the balls touch at the
-    contact angle stated in the file. The dict is empty if there is an axial load or if the bearing
-    has two rows. Raises `InputError`, also for a `clearance` (m) that decks reject."""
+    of a single-row bearing if there is no `axial` load (N). At this position, the balls touch at
+    the contact angle stated in the file. The dict is empty if there is an axial load or if the
+    bearing has two rows. Raises `InputError`, also if decks would reject the `clearance` (m)."""
     angle, body = nominal_angle(path), _one_groove(path)
     if angle and clearance:
         raise InputError(
@@ -147,14 +147,14 @@ def held(
 
 
 def ball_density(path: FilePath) -> float:
-    """Return the density of the balls (kg/m^3) stated in a file in inputs/bearings, by default the
-    density of steel. Raises `InputError`."""
+    """Return the density of the balls (kg/m^3) stated in a file in inputs/bearings; the default is
+    the density of steel. Raises `InputError`."""
     known = "ball_density" in values(path)
     return numbers(path, "ball_density")["ball_density"] if known else 7800.0
 
 
 def nominal_angle(path: FilePath) -> float:
-    """Return the nominal contact angle (rad) stated in a file in inputs/bearings, by default 0.
+    """Return the nominal contact angle (rad) stated in a file in inputs/bearings; the default is 0.
     Raises `InputError`."""
     if "contact_angle" not in values(path):
         return 0.0
@@ -170,7 +170,8 @@ def four_point_angle(path: FilePath) -> float | None:
 
 
 def _radii(path):
-    """Compute raceway and groove radii (m) from the usual data, as the command `bearing` does."""
+    """Compute the raceway and groove radii (m) from catalogue data, as the command `bearing`
+    does."""
     pitch, ball, inner, outer = numbers(
         path, "pitch_diameter", "ball_diameter", "inner_conformity", "outer_conformity"
     ).values()
@@ -232,7 +233,8 @@ def ratings(path: FilePath) -> life.Ratings | None:
 
 def minimum_load(path: FilePath) -> tuple[float, float] | None:
     """Return (k_r, mean of bore and outside diameter in m) for `life.minimum_load` from a file in
-    inputs/bearings, or None if the file does not state the factor k_r. Raises `InputError`."""
+    inputs/bearings. The result is None if the file does not state the factor k_r. Raises
+    `InputError`."""
     if "minimum_load_factor" not in values(path):
         return None
     names = ("minimum_load_factor", "bore_diameter", "outside_diameter")
@@ -243,7 +245,7 @@ def minimum_load(path: FilePath) -> tuple[float, float] | None:
 
 
 def shoulders(path: FilePath) -> Shoulders:
-    """Return the `Shoulders` of a bearing from its file in inputs/bearings; diameters that the file
+    """Return the `Shoulders` of a bearing from its file in inputs/bearings. Diameters that the file
     does not state are NaN. Raises `InputError` for an invalid diameter."""
     data = _one_groove(path)
     bottoms = {"inner": 2 * data.inner_radius, "outer": 2 * data.outer_radius}
@@ -266,7 +268,7 @@ def shoulders(path: FilePath) -> Shoulders:
 def oil(path: FilePath, temperature: float | None = None) -> Oil:
     """Return the `Oil` for a lubricant, given by its name or by a file in inputs/lubricants, at a
     `temperature` in degrees C (default: the temperature stated in the file). Raises `InputError`,
-    also for a dry lubricant."""
+    also if the lubricant is dry."""
     path = _named("lubricants", path)
     at = fluid(path, temperature)
     data = _constants(path, "roughness", "ball_roughness")
@@ -283,8 +285,8 @@ def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
     `temperature` in degrees C (default: the temperature stated in the file).
 
     A file contains either physical data, from which the properties can be computed at any
-    temperature, or the properties of the fluid at one temperature. As in a deck, properties given
-    directly take precedence over physical data. Properties that are missing in older files are NaN.
+    temperature, or the properties of the fluid at one temperature. As in a deck, properties that
+    are given directly take precedence over physical data. Properties that older files lack are NaN.
     Raises `InputError`, also for a temperature at which there are no values.
     """
     path = _named("lubricants", path)
@@ -319,15 +321,15 @@ def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
 
 def assumed(path: FilePath, models: str | None = None) -> dict[str, float]:
     """Return {name: value} for the constants of an oil that its file does not state, with the
-    defaults that decks and statics use in their place. If `models` is given, only the constants
-    that these models need are returned. Raises `InputError`."""
+    defaults that decks and statics use instead. If `models` is given, only the constants that these
+    models need are returned. Raises `InputError`."""
     data, over, table = values(path), physical(path), variable_table.oil()
     return {
         name: float(row["default"])
         for name, row in table.items()
         if name not in data
         and (models is None or not row["models"] or models in row["models"].split())
-        # choose between the constants of an oil as a function of temperature and at one temperature
+        # the file gives either constants for all temperatures or constants for one temperature
         and (over if row["of"] == "oil over temperature" else not (over and f"{name}_40" in table))
     }
 
@@ -340,12 +342,13 @@ def _constants(path, *names):
 
 
 def physical(path: FilePath) -> bool:
-    """Return True if a file in inputs/lubricants has physical data, valid at any temperature."""
+    """Return True if a file in inputs/lubricants has physical data, which hold at any
+    temperature."""
     return not {"kinematic_viscosity_40", "vogel_viscosity"}.isdisjoint(values(path))
 
 
 def lubricant(path: FilePath) -> Lubricant:
-    """Return the `Lubricant` with physical data that a name or a file specifies. Raises
+    """Return the `Lubricant` with physical data that is specified by a name or a file. Raises
     `InputError` if the data are missing or invalid."""
     path = _named("lubricants", path)
     law, names = (

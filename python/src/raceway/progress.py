@@ -7,6 +7,6 @@ on = False
 
 
 def line(text: str, last: bool) -> None:
-    """Replace the progress line on the terminal by `text`, or erase it on the `last` call."""
+    """Replace the progress line on the terminal with `text`, or erase it on the `last` call."""
     if on and sys.stderr.isatty():
         print("\r\033[K" + ("" if last else text), end="", file=sys.stderr, flush=True)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Read a ROSS rotor from a file: either the output of `Rotor.save` (.toml, which is read with
-ROSS),
-or its matrices (.npz, which can be read without ROSS)."""
+"""Read a ROSS rotor from a file, which is either the output of `Rotor.save` (.toml, read with ROSS)
+or contains the rotor's matrices (.npz, read without ROSS)."""
 
 import zipfile
 import zlib
@@ -24,12 +23,12 @@ class Read(NamedTuple):
     """Contents of a file."""
 
     rotor: rotor_matrices.Rotor
-    # m, positions of the rotor's own bearings, which are left out; empty for an .npz file
+    # m, positions of the rotor's own bearings, which are omitted; empty for an .npz file
     bearings: list[float]
 
 
 def is_ross(path: FilePath) -> bool:
-    """Return True if `path` has the suffix of a ROSS rotor rather than of a YAML shaft file."""
+    """Return True if `path` has the suffix of a ROSS rotor, not of a YAML shaft file."""
     return Path(path).suffix in SUFFIXES
 
 
@@ -99,7 +98,9 @@ def _check_sizes(path):
                     raise ValueError(f"'{name}' is not an array of real numbers")
                 shape, _, kind = read(file)
             if kind.kind not in "fiu":
-                raise ValueError(f"'{name}' has type {kind}, must be real numbers")
+                raise ValueError(f"'{name}' has type {kind}; it must contain real numbers")
             if len(shape) > 2 or max(shape, default=0) > ROWS:
                 size = " x ".join(map(str, shape))
-                raise ValueError(f"'{name}' is {size}, must have at most {ROWS} rows and columns")
+                raise ValueError(
+                    f"'{name}' is {size}; it must have at most {ROWS} rows and columns"
+                )

@@ -14,10 +14,10 @@ class Row(NamedTuple):
     label: str
     unit: str | None  # SI unit, shown with a prefix; "" for a plain number; None for text
     source: str = ""
-    zero: str | None = None  # text that is shown in place of the value 0
+    zero: str | None = None  # text that is shown instead of the value 0
 
 
-# Quantities that are reported by both runs and statics, with common labels.
+# Quantities that both runs and statics report, with common labels.
 FIGURES = {
     row.key: row
     for row in (
@@ -56,8 +56,8 @@ FIGURES = {
 
 
 def row(key: str, source: str | None = None) -> Row:
-    """Return the row of `FIGURES` with `key`, with its `source` replaced if one is given. Raises
-    `KeyError` for an unknown key."""
+    """Return the row of `FIGURES` with the given `key`. If a `source` is given, it replaces that of
+    the row. Raises `KeyError` for an unknown key."""
     return FIGURES[key] if source is None else FIGURES[key]._replace(source=source)
 
 
@@ -70,9 +70,9 @@ def lines(
 ) -> list[str]:
     """Return the lines of a table with the given `topics` (`Row`s by heading). Quantities whose
     value is None are left out. `errors` {key: error in the unit of the quantity} are shown in a
-    separate column, and `ranges` {key: (low, high)} at the end of each line. `second`, a pair
-    (name, {key: value}), adds a column of values; its name is shown above the column in each topic
-    for which it has values."""
+    separate column, and `ranges` {key: (low, high)} at the end of each line. `second`, i.e. (name,
+    {key: value}), adds a second column of values. Its name is shown above the column in each topic
+    for which there are values."""
     result = []
     name, others = second or ("", {})
     for topic, rows in topics.items():
@@ -109,7 +109,7 @@ def several(
 
 
 def warning_lines(texts: Collection[str]) -> list[str]:
-    """Return the last lines of a table, which are its warnings, or no lines if there are none."""
+    """Return the last lines of a table, which contain its warnings; the list may be empty."""
     return ["", "Warnings", *(f"  {text}" for text in texts)] if texts else []
 
 
@@ -121,7 +121,7 @@ def cells(
     others: Mapping[str, Any] | None = None,
 ) -> list[tuple[str, ...]]:
     """Return the rows of a table of results as (label, value, value in `others`, error, range,
-    source). The rows of each topic follow a row (topic,)."""
+    source). The rows of each topic are preceded by a row (topic,)."""
     others = others or {}
     result: list[tuple[str, ...]] = []
     for topic, rows in topics.items():

@@ -12,7 +12,7 @@ from raceway.theory import life
 from raceway.theory.beam import Disc, Section, Steel
 from raceway.theory.shaft import Load, Seat, Shaft
 
-# {section of the file: {name: (default, or None if required; least, greatest)}}
+# {section of the file: {name: (default, or None if required; smallest, largest value)}}
 NUMBERS: Mapping[str, Mapping[str, tuple[float | None, float, float]]] = {
     "file": {"rpm": (0.0, 0.0, 1e5)},
     "steel": {
@@ -39,7 +39,7 @@ NUMBERS: Mapping[str, Mapping[str, tuple[float | None, float, float]]] = {
         "transverse": (0.0, 0.0, 1e6),
     },
 }
-LISTS = {  # name: (length, largest magnitude of an element)
+LISTS = {  # {name: (length, largest magnitude of an element)}
     "file": {"gravity": (3, 1e3)},
     "bearings": {"offset": (5, 0.1)},
     "loads": {"force": (3, 1e7), "moment": (2, 1e6)},
@@ -65,9 +65,9 @@ class Case(NamedTuple):
 
 
 def read(path: FilePath, folder: FilePath | None = None) -> Case:
-    """Read the YAML file at `path` and return it as a `Case`; bearings are looked up in the inputs
-    `folder` (`catalogue.find`). Raises `InputError`, which states the location of an invalid value
-    and its allowed range."""
+    """Read the YAML file at `path` and return it as a `Case`. Bearings are searched for in the
+    inputs `folder` (`catalogue.find`). Raises an `InputError` that states the location of an
+    invalid value and its allowed range."""
     whole = _part(yaml_file.read(path), str(path), "file")
     steel = Steel(**_part(whole.get("steel", {}), f"{path}: steel", "steel"))
     sections = [Section(**one) for one in _parts(whole, path, "sections")]
@@ -112,7 +112,7 @@ def _parts(whole: Mapping[str, Any], path: FilePath, kind: str) -> list[dict[str
 
 
 def _part(data: Any, where: str, kind: str) -> dict[str, Any]:
-    """Check the values in one part of the file and fill in defaults for those that are missing."""
+    """Check the values in one part of the file, and fill in defaults for missing values."""
     numbers, lists, others = NUMBERS[kind], LISTS.get(kind, {}), OTHERS.get(kind, ())
     if not isinstance(data, Mapping):
         raise InputError(f"{where}: must consist of names and values")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Convert numbers with units and SI prefixes to and from text."""
+"""Convert numbers with units and SI prefixes to text and back."""
 
 import math
 import re
@@ -8,10 +8,10 @@ PREFIX = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M",
 
 
 def prefixed(value: float, unit: str, digits: int = 4) -> str:
-    """Format `value` in `unit` with `digits` significant digits and an SI prefix, e.g. 2.571e9 and
-    "Pa" as 2.571 GPa.
+    """Format `value` in `unit` with `digits` significant digits and an SI prefix. For example,
+    2.571e9 and "Pa" give 2.571 GPa.
 
-    A value without a unit or in m³/s has no prefix, and an angle below 1 µrad has none either.
+    No prefix is used for values without a unit or in m³/s, or for angles below 1 µrad.
 
     >>> prefixed(2.571e9, "Pa"), prefixed(3.4867e-05, "m"), prefixed(1.4, "")
     ('2.571 GPa', '34.87 µm', '1.4')
@@ -55,8 +55,8 @@ NUMBER = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)(.*
 
 
 def read(text: str, unit: str) -> float:
-    """Convert `text`, either a plain number or a number with a unit such as 5kN or 10um, to a value
-    in `unit`.
+    """Convert `text` to a value in `unit`. The text is a plain number or a number with a unit, such
+    as 5kN or 10um.
 
     Both u and µ mean micro. Raises `ValueError` if the text is not a number or has an incompatible
     unit.
@@ -73,7 +73,7 @@ def read(text: str, unit: str) -> float:
     if factor is None:
         raise ValueError(f"'{text}' is not a number{_hint(unit)}")
     value, power = float(match[1]), math.log10(factor)
-    # parse the text as the decimal 10e-6, so that 10um equals 1e-05 exactly
+    # parse the decimal text 10e-6, so that 10um equals 1e-05 exactly
     if abs(power - round(power)) < 1e-12 and "e" not in match[1].lower():
         return float(f"{match[1]}e{round(power)}")
     return value * factor

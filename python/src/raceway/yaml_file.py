@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Read YAML files written by users. Every value is text or None, so that 6208 is a name and yes is
-text rather than a number or a boolean; duplicate keys and references are errors."""
+"""Read YAML files written by users. Every value is text or None, so that 6208 is a name, and yes is
+text rather than a boolean. It is an error if a file contains duplicate keys or references."""
 
 from pathlib import Path
 from typing import Any
@@ -59,8 +59,8 @@ def read(path: FilePath, error: type[RacewayError] = InputError) -> Any:
 
 
 def number(value: Any) -> float:
-    """Convert a text to a number; a number is returned as a float. Raises `ValueError` for anything
-    else, including texts such as 1_000."""
+    """Convert a text to a number; a number is returned as a float. Raises `ValueError` for any
+    other value, including texts such as 1_000."""
     if isinstance(value, str) and "_" not in value or type(value) in (int, float):
         return float(value)
     raise ValueError("not a number")

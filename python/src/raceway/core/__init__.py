@@ -41,9 +41,9 @@ def library() -> "Library":
 
 @functools.cache
 def table(name: str) -> Any:
-    """Return a table that is defined in C++. "columns" is a dict {section: rows} of the output
-    columns, the parts of the contact law and the rules of validity; "variables" is the list of the
-    variables of decks. Raises `NotBuilt`."""
+    """Return a table that is defined in C++. "columns" is a dict {section: rows} with the output
+    columns, the parts of the contact law and the rules of validity; "variables" is the list of deck
+    variables. Raises `NotBuilt`."""
     text = ctypes.CDLL(str(_built()))[f"{name}_json"]
     text.restype = ctypes.c_char_p
     return json.loads(text())

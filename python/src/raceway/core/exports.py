@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Call the functions and create the records of a self-describing C++ library by name
-(src-package/core/interface/exports.h). A name that is missing on either side is an error."""
+(src-package/core/interface/exports.h). It is an error if a name is missing on either side."""
 
 import ctypes
 import math
@@ -21,7 +21,7 @@ FEW = 2  # largest number of parameters that may be passed by position
 
 
 class Parameter(NamedTuple):
-    """A parameter of a function; `size` is None for a single value and 0 for an array of any
+    """A parameter of a function. `size` is None for a single value and 0 for an array of any
     size."""
 
     name: str
@@ -39,7 +39,7 @@ class Function(NamedTuple):
 
 class Formula:
     """A function of scalars that also accepts arrays, which are broadcast. Arguments are passed by
-    position or by name. The result is a scalar or an array, or a named tuple of them; xarray
+    position or by name. The result is a scalar or an array, or a named tuple of these; xarray
     arguments give xarray results. Raises `TypeError` for a wrong number of arguments or an unknown
     name."""
 
@@ -115,9 +115,9 @@ class Library:
         return made
 
     def call(self, name: str, *few: Any, **named: Any) -> Any:
-        """Call the function `name` and return its result together with the records and fixed-size
-        arrays that it fills, in the order of the parameters, as a tuple unless there is only one.
-        Records and arrays that are passed by name are filled in place."""
+        """Call the function `name` and return its result, the records and the fixed-size arrays
+        that it fills, in the order of the parameters, as a tuple unless there is only one. Records
+        and arrays that are passed by name are filled in place."""
         function = self.functions[name]
         outputs = [p for p in function.parameters if self._fills(p) and p.name not in named]
         inputs = [p.name for p in function.parameters if p not in outputs]
@@ -224,7 +224,7 @@ def _result_type(text):
 
 
 def _compare(what, wanted, given):
-    """Raise `TypeError`, listing the names that are missing or unknown, if there are any."""
+    """Raise `TypeError` with the missing and the unknown names if there are any."""
     missing = [name for name in wanted if name not in given]
     unknown = [name for name in given if name not in wanted]
     if missing or unknown:

@@ -16,13 +16,13 @@ SURFACES = ("rough", "smooth")
 
 @dataclass(frozen=True)
 class Breakdown:
-    """Model of film failure: a film fails when its voltage exceeds `strength` (V/m) times its local
+    """Model of film failure. A film fails when its voltage exceeds `strength` (V/m) times its local
     thickness.
 
     The local thickness is the film thickness ("smooth") or the film thickness minus three times the
-    composite roughness ("rough"), but at least `floor` (m). By default the `roughness` (m) of the
-    run is used. `arc` (ohm) is the resistance of a film while it fails, from which the current and
-    the duration of a failure are computed.
+    composite roughness ("rough"), but at least `floor` (m). By default, the `roughness` (m) of the
+    run is used. `arc` (ohm) is the resistance of a film while it fails; the current and the
+    duration of a failure are computed from it.
     """
 
     strength: float
@@ -61,15 +61,15 @@ class Breakdown:
 
     @property
     def bridged(self) -> float:
-        """Limit in V of a film whose local thickness is at the floor, where asperities bridge
-        it."""
+        """Voltage limit in V of a film whose local thickness is at the floor, i.e. where asperities
+        bridge the film."""
         return self.strength * self.floor
 
 
 def threshold(films: Films, limit: Floats, bridged: float = 0.0) -> Floats:
     """Return the smallest voltage (n,) in V between the rings at which a film fails if the balls
-    are uncharged; `limit` (n, 2, Z) is the limit of each film in V. The result is infinite if no
-    film can fail, and 0 if the limit of a film does not exceed `bridged` (V)."""
+    are uncharged; `limit` (n, 2, Z) contains the voltage limit of each film in V. The result is
+    infinite if no film can fail, and 0 if the limit of a film does not exceed `bridged` (V)."""
     n, _, z = films.capacitance.shape
     found = np.empty(n)
     core.library().call(
@@ -85,29 +85,30 @@ def threshold(films: Films, limit: Floats, bridged: float = 0.0) -> Floats:
 
 
 class Failure(NamedTuple):
-    """Failure of one film, which is identified by the raceway and by the index of the ball."""
+    """Failure of one film, which is identified by its raceway and the index of its ball."""
 
-    time: float  # s
+    time: float  # s, time of the failure
     discharge: int  # number of the discharge, starting at 1
-    order: int  # position of this failure in the sequence of the discharge, starting at 1
+    # position of this failure in the sequence of failures of the discharge, starting at 1
+    order: int
     raceway: int
-    ball: int  # from 0 to Z - 1
-    film_voltage: float  # V, before the failure
-    bearing_voltage: float  # V, before the failure
-    bearing_voltage_after: float  # V
+    ball: int  # index of the ball, from 0 to Z - 1
+    film_voltage: float  # V, voltage across the film before the failure
+    bearing_voltage: float  # V, voltage between the rings before the failure
+    bearing_voltage_after: float  # V, voltage between the rings after the failure
     film_energy: float  # J, energy stored in the film before the failure
     energy: float  # J, energy converted into heat
 
 
 class ArcCurrent(NamedTuple):
-    """Current of a failure that is limited by a resistance."""
+    """Current during a failure, limited by a resistance."""
 
-    peak: float  # A
-    duration: float  # s, time in which the current falls to 1/e
+    peak: float  # A, peak current
+    duration: float  # s, time in which the current falls to 1/e of its peak
 
     @classmethod
     def of(cls, failure: Failure, arc: float) -> "ArcCurrent":
-        """Compute the current of a `failure`, or of arrays of failures, through `arc` (ohm). The
+        """Compute the current during a `failure`, or arrays of failures, through `arc` (ohm). The
         source behind the film is treated as a capacitance C that stores the energy C V^2/2 at the
         voltage V of the film."""
         volts = np.abs(failure.film_voltage)

@@ -22,7 +22,7 @@ from raceway.theory.film_voltage import field
 
 RACEWAYS = ("inner", "outer")
 MOST = 100_000_000  # largest product of the number of films and the number of points
-LATE = 3  # warn if a gradually loaded film fails at more than this multiple of its strength
+LATE = 3  # warn if the field in a gradually loaded film exceeds this multiple of the strength
 MEANINGS = {  # {variable: (unit, meaning)}
     "bearing_voltage": ("V", "voltage of the inner ring relative to the outer ring"),
     "driving_voltage": ("V", "voltage of the outer circuit"),
@@ -99,11 +99,12 @@ def run(
     (None: films never fail) and `leak` the model of film conduction (None: films do not conduct).
     `points` is the number of circuit steps per sample; the films are interpolated linearly between
     samples. By default there are `PER_CYCLE` points per period of the voltage of `outer`. `stray`
-    (F) is added to the capacitance of every film. If there is a discharge at a point, the voltages
-    in the dataset are those after the discharge. Events have the columns of `EVENT_UNITS`; `energy`
-    includes the energy dissipated by other films. If `breakdown` does not specify an `arc`, the
-    peak `current`, the `duration` in which it falls to 1/e, and the current density, which refers
-    to the total Hertz area, are NaN.
+    (F) is added to the capacitance of every film.
+
+    If there is a discharge at a point, the voltages in the dataset are those after the discharge.
+    Events have the columns of `EVENT_UNITS`; `energy` includes the energy dissipated in other
+    films. If `breakdown` does not specify an `arc`, the peak `current`, the `duration` in which it
+    falls to 1/e and the current density (relative to the total Hertz area) are NaN.
 
     Raises `RunError` if `of` lacks required data, and `ValueError` if a parameter is out of range
     or the steps are too long for the voltage of `outer`.
@@ -126,7 +127,7 @@ def run(
 
 
 def _points(coarse, outer, points):
-    """Return the number of circuit points per sample; the default depends on the shortest period of
+    """Return the number of circuit points per sample. The default depends on the shortest period of
     the voltage."""
     longest, shortest = np.diff(coarse.time).max(), outer.waveform.shortest
     least = int(np.ceil(min(FEWEST * longest / shortest * (1 - 1e-9), MOST)))
@@ -236,7 +237,7 @@ def _events(fine, s: Solution, breakdown):
 
 def _warn_of_late(events, sudden, breakdown):
     """Warn if the steps are so long that films fail far above their strength. Failures at the
-    `sudden` times and failures that follow the failure of another film are exempt."""
+    `sudden` times are exempt, and so are failures that follow the failure of another film."""
     gradual = ~np.isin(events.time, sudden) & (events.order == 1)
     field = events.field[gradual].abs().max()
     if breakdown and field > LATE * breakdown.strength:
@@ -255,7 +256,7 @@ def _unbridged(local, breakdown):
 
 
 class _Between:
-    """Linear interpolation of arrays that are given at the points `grid` to `times`."""
+    """Linear interpolation, at `times`, of arrays that are given at the points `grid`."""
 
     def __init__(self, grid, times):
         self.first = np.searchsorted(grid, times, "right") - 1

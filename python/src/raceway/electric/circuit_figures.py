@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compute the results of a circuit, format them as text, and write the tables to files."""
+"""Compute the results of a circuit, format them as text, and write its tables to files."""
 
 from pathlib import Path
 
@@ -69,8 +69,8 @@ TOPICS = {
 
 
 def figures(result: Result) -> dict[str, float | None]:
-    """Return the results of a circuit as a dict with the keys of `TOPICS`, which contain the SI
-    units; quantities that do not exist for the circuit are None."""
+    """Return the results of a circuit as a dict with the keys of `TOPICS`, whose names include the
+    SI units. Quantities that do not exist for the circuit are None."""
     data, events = result
     one, fails = events.groupby("discharge"), "threshold_voltage" in data
     energy, length = one["energy"].sum(), float(data.time[-1] - data.time[0])
@@ -97,7 +97,7 @@ def figures(result: Result) -> dict[str, float | None]:
             found[f"{key}_{what}{unit}"] = (
                 None if values is None else _finite(getattr(values, what)())
             )
-    if fails and not found["threshold_min_V"]:  # a film is bridged at times; exclude these times
+    if fails and not found["threshold_min_V"]:  # exclude the times at which a film is bridged
         whole = data.threshold_voltage.where(data.threshold_voltage > 0)
         found["threshold_mean_V"] = _finite(whole.mean()) or 0.0
     for name in "source_work mechanical_work leak_heat resistor_heat discharge_energy".split():
@@ -141,7 +141,7 @@ def write(result: Result, out: FilePath) -> list[Path]:
 
 
 def over_time(data: xr.Dataset) -> pd.DataFrame:
-    """Return a table with one row per point in time, which contains the variables of the bearing in
+    """Return a table with one row per point in time. It contains the variables of the bearing in
     the dataset of a circuit, and the capacitance (F) and voltage (V) of every film. The headings
     include the units."""
     units = {name: variable.attrs["units"] for name, variable in data.data_vars.items()}

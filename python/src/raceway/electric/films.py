@@ -25,14 +25,14 @@ class Films:
     circuit and carries no displacement current.
     """
 
-    time: Floats  # (n,) s, increasing
-    capacitance: Floats  # (n, 2, Z) F
-    thickness: Floats  # (n, 2, Z) m; NaN where there is no film
-    conductance: Floats  # (n, 2, Z) S
+    time: Floats  # (n,) s, times in increasing order
+    capacitance: Floats  # (n, 2, Z) F, capacitance of each film
+    thickness: Floats  # (n, 2, Z) m, thickness of each film; NaN where there is no film
+    conductance: Floats  # (n, 2, Z) S, conductance of each film
     azimuth: Floats  # (n, Z) rad, azimuths of the balls measured from x
     from_load_line: Floats  # (n, Z) rad, azimuths measured from the centre of the load zone
-    balls: Integers  # (Z,) atom numbers
-    roughness: float = 0.0  # m, composite
+    balls: Integers  # (Z,) atom numbers of the balls
+    roughness: float = 0.0  # m, composite roughness
     leaking: bool = False  # True if films conduct even without metallic contact
     metallic: Floats | None = None  # (n, 2, Z), 1 where asperities conduct
     hertz_area: Floats | None = None  # (n,) m^2, total area of all contact ellipses
@@ -79,7 +79,7 @@ OVER_TIME = ("time", "capacitance", "thickness", "conductance", "metallic", "her
 class Series(NamedTuple):
     """Capacitances of a bearing with uncharged balls."""
 
-    ball: Floats  # (n, Z) F, inner and outer film of each ball in series
+    ball: Floats  # (n, Z) F, inner and outer film of each ball connected in series
     bearing: Floats  # (n,) F, sum over the balls
 
 
@@ -129,14 +129,14 @@ def of_dataset(
     name: str = "the dataset",
 ) -> Films:
     """Return the films of a dataset with the dimensions time, raceway and ball, such as
-    `run.contacts`. If a ring has two grooves, its two films on a ball are merged into one: they are
-    in parallel, and the thinner one fails.
+    `run.contacts`. If a ring has two grooves, its two films on a ball are merged into one, because
+    they are in parallel; the thinner one determines when the film fails.
 
-    `permittivity` (1) is the relative permittivity of the lubricant at ambient pressure and
-    `roughness` (m) the composite roughness. `balls` has the azimuths of all balls; by default the
-    azimuths are taken from `contacts`. The Hertz area is computed from the columns a and b. Error
-    messages begin with `name`. Raises `RunError` if a column is missing or a capacitance is not a
-    number.
+    `permittivity` (1) is the relative permittivity of the lubricant at ambient pressure, and
+    `roughness` (m) is the composite roughness. `balls` contains the azimuths of all balls; by
+    default, the azimuths are taken from `contacts`. The Hertz area is computed from the columns a
+    and b. Error messages begin with `name`. Raises `RunError` if a column is missing or a
+    capacitance is not a number.
     """
     if not stray >= 0:
         raise ValueError(f"stray = {stray:g} F must be 0 or more")
@@ -168,7 +168,7 @@ def of_dataset(
 
 
 def _by_ring(values):
-    """Reshape `values` to (n, 2, 2, Z), where axis 1 is the ring and axis 2 the groove."""
+    """Reshape `values` to (n, 2, 2, Z), where axis 1 is the ring and axis 2 is the groove."""
     return values.reshape(len(values), 2, 2, -1)
 
 

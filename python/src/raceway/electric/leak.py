@@ -13,8 +13,8 @@ from raceway.theory.capacitance import VACUUM
 
 @dataclass(frozen=True)
 class Leak:
-    """Conduction of films through a lubricant with the `resistivity` (ohm m) and through asperities
-    with the resistance `metal` (ohm) per contact.
+    """Conduction of films through a lubricant with the given `resistivity` (ohm m), and through
+    asperities with the resistance `metal` (ohm) per contact.
 
     Asperities conduct where they carry more than the fraction `share` of the contact load. If
     `resistivity` or `metal` is None, there is no conduction by that mechanism. By default the
@@ -43,10 +43,10 @@ class Leak:
         permittivity: float | None,
         name: str,
     ) -> tuple[Floats, Floats | None]:
-        """Return (conductance in S, 1 where asperities conduct) of films with `capacitance` (n, 2,
-        Z) in F.
+        """Return the conductance in S of films with `capacitance` (n, 2, Z) in F, and an array that
+        is 1 where asperities conduct.
 
-        The second value is None if `metal` is None. Otherwise `contacts` must have the column
+        The second result is None if `metal` is None. Otherwise, `contacts` must have the column
         `asperity_share`; if it is missing, `RunError` is raised with `name` in its message.
         """
         conductance = np.zeros_like(capacitance)
@@ -70,8 +70,8 @@ class Leak:
 
 
 def relaxation_time(resistivity: float, permittivity: float) -> float:
-    """Return R C in s, which is the same for any gap filled with one lubricant: `resistivity` (ohm
-    m) times eps_0 times the relative `permittivity`.
+    """Return the time constant R C in s, which is the same for any gap filled with one lubricant:
+    `resistivity` (ohm m) times eps_0 times the relative `permittivity`.
 
     >>> round(relaxation_time(1e9, 2.25), 6)
     0.019922

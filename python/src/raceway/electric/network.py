@@ -28,23 +28,23 @@ OUTER = ("factor", "coupling", "driving", "edges", "start")
 
 
 class Solution(NamedTuple):
-    """Values at n points in time; if there is a discharge at a point, the values after it."""
+    """Values at n points in time. If there is a discharge at a point, the values follow it."""
 
-    ball: Floats  # (n, Z) V
-    bearing: Floats  # (n,) V
-    ball_charge: Floats  # (n, Z) C, integrated from point to point
-    current: Floats  # (n,) A, mean over the step that ends at the point, without discharges
-    charge_error: Floats  # (n,) C, largest value so far
+    ball: Floats  # (n, Z) V, ball voltages
+    bearing: Floats  # (n,) V, voltage between the rings
+    ball_charge: Floats  # (n, Z) C, ball charges, integrated from point to point
+    current: Floats  # (n,) A, mean over the step that ends at the point, excluding discharges
+    charge_error: Floats  # (n,) C, largest error so far in the charge of a node
     energies: dict[str, Floats]  # (n,) J, keyed by the names in `ENERGIES`
     failures: list[Failure]
 
 
 def solve(films: Films, terms: Terms, breakdown: Breakdown | None) -> Solution:
-    """Solve the network formed by `films` and the outer circuit `terms`; films fail according to
+    """Solve the network formed by `films` and the outer circuit `terms`. Films fail according to
     `breakdown`, or never if it is None.
 
-    Balls are initially uncharged. Raises `ValueError` for a breakdown model combined with a source
-    without resistance, and `RunError` if a charged ball loses both films.
+    Balls are initially uncharged. Raises `ValueError` if a breakdown model is combined with a
+    source without resistance, and `RunError` if a charged ball loses both films.
     """
     if breakdown and terms.stiff:
         raise ValueError("breakdown would short a source without resistance: give it a resistance")

@@ -17,13 +17,14 @@ from raceway.electric.waveforms import Constant, Waveform
 class Terms(NamedTuple):
     """Parameters of an outer circuit at the n points in time of a solution."""
 
-    capacitance: float  # F, between the inner ring and the frame, in parallel with the films
+    # F, capacitance between the inner ring and the frame, in parallel with the films
+    capacitance: float
     factor: float  # further capacitance in parallel, as a multiple of the bearing capacitance
     coupling: float  # F, capacitance between the driving voltage and the inner ring
-    # S, in parallel with the coupling; infinite if the inner ring is at the driving voltage
+    # S, conductance parallel to the coupling; infinite if the inner ring is at the driving voltage
     conductance: float
-    driving: Floats  # (n,) V
-    edges: Floats  # (k, 3): time in s and voltages before and after each kink or jump in V
+    driving: Floats  # (n,) V, driving voltage
+    edges: Floats  # (k, 3), time in s of each kink or jump, and voltages in V before and after it
     start: float  # V, initial voltage of an inner ring that is not driven by a voltage source
 
     @property
@@ -32,14 +33,14 @@ class Terms(NamedTuple):
         return np.isinf(self.conductance)
 
     def beside(self, bearing: Floats) -> Floats:
-        """Return the capacitance in F that is in parallel with the films of a bearing whose own
-        capacitance is `bearing` (F)."""
+        """Return the capacitance in F in parallel with the films of a bearing whose own capacitance
+        is `bearing` (F)."""
         return self.capacitance + self.factor * bearing
 
 
 @dataclass(frozen=True)
 class Floating:
-    """No outer circuit: the inner ring keeps the charge that it has at the initial `voltage` (V).
+    """No outer circuit. The inner ring keeps the charge that it has at the initial `voltage` (V).
     `capacitance` (F) is in parallel with the bearing."""
 
     voltage: float = 0.0
@@ -56,8 +57,8 @@ class Floating:
 
 @dataclass(frozen=True)
 class Source:
-    """A voltage source `waveform` in series with `resistance` (ohm, may be 0). `capacitance` (F) is
-    in parallel with the bearing."""
+    """A voltage source `waveform` in series with a `resistance` (ohm), which may be 0.
+    `capacitance` (F) is in parallel with the bearing."""
 
     waveform: Waveform
     resistance: float = 0.0
@@ -75,7 +76,7 @@ class Source:
 
 @dataclass(frozen=True)
 class Motor:
-    """The capacitances of a motor: the rotor is coupled to the common-mode voltage `waveform`
+    """The capacitances of a motor. The rotor is coupled to the common-mode voltage `waveform`
     through `winding_rotor` (F), and to the frame through `rotor_frame` (F) and the other bearing.
 
     The capacitance of the other bearing is either `second` (F) or `second_factor` times the

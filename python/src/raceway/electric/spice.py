@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Export a bearing as an element of SPICE, with capacitances and leaks that follow a run and are
+"""Export a bearing as a SPICE element whose capacitances and leaks follow a run and are
 interpolated linearly between its samples (docs/electric_circuit, Export).
 
 A variable capacitance is written in terms of its charge, Q = C(t) V, because a capacitor with a
-`C=` expression would omit the current V dC/dt. The element has been tested with ngspice.
+`C=` expression would omit the current V dC/dt. The element was tested with ngspice.
 """
 
 from collections.abc import Iterator
@@ -17,26 +17,26 @@ from raceway.files import FilePath, folder, whole
 
 RACEWAYS = ("inner", "outer")
 FARADS, SIEMENS = 1e-12, 1e-9  # F and S per volt at a controlling node
-# ohm; gives every node a path for direct current, with a time constant of 10 000 s at 10 pF
+# ohm, gives every node a path for direct current, with a time constant of 10 000 s at 10 pF
 LARGE = 1e15
 PER_LINE = 4  # points of a piecewise linear source in each line of the file
 NAME = "bearing"
 
 
 def element(films: Films, name: str = NAME) -> str:
-    """Return the text of two subcircuits with the terminals inner and outer: `name`, in which every
-    ball is a node, and `name` followed by `_total`, which has the total capacitance and leak of the
-    bearing.
+    """Return the text of two subcircuits with the terminals inner and outer. In `name`, every ball
+    is a node; `name` followed by `_total` has the total capacitance and leak of the bearing.
 
     The two are equivalent as long as the balls are uncharged. A ball becomes charged if the leaks
-    divide the voltage between its two films in a different ratio than the capacitances do.
+    divide the voltage between its two films in another ratio than the capacitances do.
     """
     return "\n".join([*_heading(films, name), *_network(films, name), "", *_total(films, name), ""])
 
 
 def write(films: Films, out: FilePath, name: str = NAME) -> Path:
-    """Write `element` to `name`.cir and the table of `write_lines` to `name`.pwl in the folder
-    `out`; return the path of the .cir file. Raises `RunError` if a file cannot be written."""
+    """Write `element` to `name`.cir and the table of `write_lines` to `name`.pwl, both in the
+    folder `out`, and return the path of the .cir file. Raises `RunError` if a file cannot be
+    written."""
     out = folder(out)
     write_lines(films, out / f"{name}.pwl")
     text = element(films, name)
@@ -57,7 +57,7 @@ def write_lines(films: Films, path: FilePath) -> None:
 
 
 def leak(films: Films) -> Floats:
-    """Return the conductance (n,) in S between the rings; the two films of a ball are in series."""
+    """Return the conductance (n,) in S between the rings, with both films of a ball in series."""
     return series(films.conductance).bearing
 
 

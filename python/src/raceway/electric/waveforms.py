@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Voltages that drive an outer circuit as functions of time (docs/electric_circuit).
+"""Voltages, as functions of time, that drive an outer circuit (docs/electric_circuit).
 
 A waveform is called with an array of times (s) and returns volts. `shortest` is the shortest period
 (s) of the voltage, or infinity if the voltage does not limit the step. `edges` are the kinks and
@@ -33,8 +33,9 @@ class Waveform(Protocol):
         """Return the voltage in V at the times `time` (s), an array of any shape."""
 
     def edges(self, time: Floats) -> Floats:
-        """Return an array (k, 3) with the time (s) and the voltages before and after (V) of every
-        kink and jump between the increasing times `time` (n,); empty unless overridden."""
+        """Return an array (k, 3) with the time (s) of every kink and jump between the increasing
+        times `time` (n,), and the voltages (V) before and after it. The array is empty unless the
+        method is overridden."""
         return np.empty((0, 3))
 
 
@@ -77,12 +78,12 @@ class Sine(Waveform):
 
 @dataclass(frozen=True)
 class CommonMode(Waveform):
-    """Common-mode voltage of a two-level three-phase inverter, which is the mean of its three legs.
+    """Common-mode voltage of a two-level three-phase inverter, i.e. the mean of its three legs.
 
     A leg is at plus half the DC link voltage `link` (V) while `modulation` times the sine of its
-    phase is greater than or equal to a triangular wave with the frequency `carrier` (Hz), otherwise
-    at minus half. `fundamental` (Hz) is the frequency of the phases. The voltage has four levels,
-    +-link/2 and +-link/6.
+    phase is greater than or equal to a triangular wave with the frequency `carrier` (Hz), and at
+    minus half otherwise. `fundamental` (Hz) is the frequency of the phases. The voltage has four
+    levels, +-link/2 and +-link/6.
     """
 
     link: float
@@ -114,8 +115,8 @@ class CommonMode(Waveform):
         )
 
     def edges(self, time: Floats) -> Floats:
-        """Return an array (k, 3) with the time (s) and the voltages before and after (V) of each
-        switching of a leg."""
+        """Return an array (k, 3) with the time (s) of each switching of a leg, and the voltages (V)
+        before and after it."""
         most = 3 * int(2 * self.carrier * (time[-1] - time[0]) + 2)
         found = np.empty((most, 3))
         count = core.library().call(
@@ -158,15 +159,15 @@ class Table(Waveform):
         return np.interp(time, self.times, self.voltages)
 
     def edges(self, time: Floats) -> Floats:
-        """Return an array (k, 3) with the time (s) of each row of the table and, in two equal
-        columns, its voltage (V)."""
+        """Return an array (k, 3) with the time (s) of each row of the table and its voltage (V),
+        which is repeated in the third column."""
         times, voltages = np.asarray(self.times, float), np.asarray(self.voltages, float)
         inside = (times > time[0]) & (times <= time[-1])
         return np.stack([times, voltages, voltages], axis=1)[inside]
 
 
 def read_table(path: FilePath) -> Table:
-    """Read a `Table` from the text file `path`, which has a row `s V` for each point; # starts a
+    """Read a `Table` from the text file `path`, in which each point is a row `s V`; # starts a
     comment.
 
     Raises `RunError` if the file cannot be read or does not contain such a table.

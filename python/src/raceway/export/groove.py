@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Meshes of the raceways, which are parts of tori: each groove ends at shoulders whose height is a
-fifth of the ball diameter."""
+"""Meshes of the raceways as parts of tori; each groove ends at shoulders with a height of one fifth
+of the ball diameter."""
 
 import numpy as np
 
@@ -12,8 +12,8 @@ AROUND, ACROSS = 96, 9  # number of cells around the ring, and of points across 
 
 
 def mesh(bearing: Bearing, raceway: int, clearance: float = 0.0) -> tuple[Floats, Integers]:
-    """Return (points (n, 3) in m, quads (m, 4) of point indices) of a groove that is centred at the
-    origin with its axis along z; the normals point towards the balls.
+    """Return the points, shape (n, 3), in m, and the quads, shape (k, 4), as point indices, of a
+    groove that is centred at the origin with its axis along z. The normals point towards the balls.
 
     The points form `AROUND` rows of `ACROSS` points each; all points in a row have the same
     azimuth.

@@ -3,8 +3,8 @@
 samples, and the raceways as `.obj` surfaces.
 
 Columns have OVITO's standard names (species, id, pos, radius, velo) where these exist; the other
-columns become custom properties. NaN, for example where a ball has no film, is written as -1, since
-not every reader of text files accepts NaN.
+columns become custom properties. NaN is written as -1, for example where a ball has no film,
+because not every reader of text files accepts NaN.
 """
 
 from pathlib import Path
@@ -26,10 +26,10 @@ FIRST = ("id", "type", "radius")
 def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
     """Write the run `tables` to the folder `out` and return the path of `bearing.xyz`.
 
-    The comment line of each frame contains the cell, `Time` (s), `sample`, and `ring_x`, `ring_y`,
-    `ring_z` (m, the position of the inner ring). The raceways do not move in the picture,
-    and the outer raceway includes the clearance. Raises `RunError` if the run's files are invalid
-    or `out` cannot be written.
+    The comment line of each frame contains the cell, `Time` (s), `sample`, and the position
+    `ring_x`, `ring_y`, `ring_z` (m) of the inner ring. The raceways do not move in the picture, and
+    the outer raceway includes the clearance. Raises `RunError` if the run's files are invalid or
+    `out` cannot be written.
     """
     out = files.folder(out)
     for side, name in ((INNER, "inner"), (OUTER, "outer")):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write a run for ParaView as a folder with `bearing.pvd`, which lists the files of all frames."""
+"""Write a run for ParaView as a folder. The file `bearing.pvd` in it lists the files of all
+frames."""
 
 from pathlib import Path
 
@@ -19,10 +20,10 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
     written last.
 
     Part 0 contains the balls as points with the `data` of `particles.frames`. Parts 1 and 2 are the
-    inner and the outer raceway, surfaces whose points have their `azimuth` (rad) in the ring. The
-    inner raceway moves and rotates; its tilt is omitted. Part 3 contains the pocket walls of a
-    one-piece cage, with the `force` (N) of the ball on each pocket. Raises `RunError` if the run's
-    files are invalid or `out` cannot be written.
+    surfaces of the inner and the outer raceway, whose points have their `azimuth` (rad) in the
+    ring. The inner raceway moves and rotates; its tilt is omitted. Part 3 contains the pocket walls
+    of a one-piece cage, with the `force` (N) of the ball on each pocket. Raises `RunError` if the
+    run's files are invalid or `out` cannot be written.
     """
     out, entries, clearance = files.folder(out), [], tables.settings["clearance_m"]
     azimuth = np.repeat(np.arange(groove.AROUND) * 2 * np.pi / groove.AROUND, groove.ACROSS).astype(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Iterate over the balls and cage balls of a run, sample by sample, with data of their contacts."""
+"""Iterate over the samples of a run, each with its balls, its cage balls and their contact data."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -22,8 +22,8 @@ class Frame(NamedTuple):
 
     sample: int
     time: float  # s
-    position: Floats  # (n, 3)
-    data: dict[str, NDArray[Any]]  # name: (n,) or (n, 3)
+    position: Floats  # (n, 3), m, positions of the balls and cage balls
+    data: dict[str, NDArray[Any]]  # {name: array (n,) or (n, 3)}
     ring: Floats  # (3,), position of the inner ring
     ring_turned: float  # rad, rotation of the inner ring about its axis since the first sample
 
@@ -33,9 +33,9 @@ def frames(tables: RunTables, every: int | None = None) -> Iterator[Frame]:
     memory. If `every` is None, at most `FRAMES` samples are yielded.
 
     `data` contains id, type (1 ball, 2 cage ball), radius, velocity, spin, load (the larger of a
-    ball's two loads), each quantity in `CARRIED` that the run records, separately for each raceway
-    (`load_inner` ..., or `load_inner_0` ... for rings with two grooves), and capacitance (both
-    contacts in series). Where there is no contact, quantities that vanish are 0 and undefined
+    ball's two loads), capacitance (both contacts in series), and each quantity in `CARRIED` that
+    the run records, separately for each raceway (`load_inner` ..., or `load_inner_0` ... for rings
+    with two grooves). Where there is no contact, quantities that vanish are 0 and undefined
     quantities are NaN. Raises `RunError` if a file is invalid.
     """
     if every is None:
@@ -80,7 +80,7 @@ def _frame(tables, sample, atoms, contacts, ring, turned):
 
 
 def _samples(tables, name, every):
-    """Yield (sample, its rows, rotation angle of the inner ring); the angle is 0 in tables without
+    """Yield (sample, its rows, rotation angle of the inner ring). The angle is 0 in tables without
     balls."""
     turned = before = 0.0
     for table in tables.blocks(name):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Mesh of the pockets of a one-piece cage; each pocket is a cylinder along the radius."""
+"""Mesh of the pockets of a one-piece cage; each pocket is a cylinder in the radial direction."""
 
 import numpy as np
 
@@ -11,9 +11,9 @@ AROUND = 24  # number of cells around a pocket
 
 
 def mesh(bearing: Bearing, play: float) -> tuple[Floats, Integers]:
-    """Return (points (n, 3) in m, quads (m, 4) of point indices) of the walls of all pockets, with
-    this `play` (m), in a cage at the origin with its axis along z; the normals point towards the
-    balls.
+    """Return the points, shape (n, 3), in m, and the quads, shape (k, 4), as point indices, of the
+    walls of all pockets with the given `play` (m). The cage is at the origin with its axis along z,
+    and the normals point towards the balls.
 
     Each pocket has 2 `AROUND` points, of which those nearer to the axis come first. The first
     pocket is at azimuth 0.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Export stiffness and damping of a bearing as functions of load and speed for rotor dynamics, as a
-table (CSV, JSON) and for ROSS, which need not be installed.
+"""Export stiffness and damping of a bearing as functions of load and speed, for rotor dynamics
+programs: as a table (CSV, JSON) and for ROSS, which need not be installed.
 
 ROSS (`ross-rotordynamics`) uses the same axes: x and y are transverse, z is along the shaft, and
 the tilts alpha = rx and beta = ry are right-handed. Its `BearingElement` accepts only translations,
@@ -27,20 +27,21 @@ from raceway.theory.shaft import Carried
 from raceway.theory.small_motion import SLOW
 from raceway.theory.static import FREEDOMS, STRAIGHT
 
-# powers of 1/m of each row and column; if they add up to 2, the unit is N/m
+# power of 1/m for each row and column; if two powers add up to 2, the unit is N/m
 PER_METRE = (1, 1, 1, 0, 0)
 TAKEN = ("xx", "xy", "yx", "yy", "zz")  # entries accepted by ROSS's BearingElement
 ROSS_FREEDOMS = 6  # degrees of freedom of a node: `FREEDOMS` and the rotation about z
 TILTS = ("held", "free")
-NOISE = 1e-9  # rounding error of entries that are 0 by symmetry, as a fraction of the diagonal
+# largest rounding error of entries that are 0 by symmetry, as a fraction of the diagonal
+NOISE = 1e-9
 
 
 class Point(NamedTuple):
     """Stiffness and damping of a bearing at one operating point."""
 
     rpm: float
-    load: float  # N, radial, along x unless `load_azimuth` or `at_rest` is given
-    axial: float  # N
+    load: float  # N, radial load, along x unless `load_azimuth` or `at_rest` is used
+    axial: float  # N, axial load
     over: OverPass
 
 
@@ -60,17 +61,17 @@ def points(
     double_row: DoubleRow | None = None,
     **options: Any,
 ) -> list[Point]:
-    """Return a `Point` for each combination of a radial `load` (N, along x) and an `rpm` of the
-    inner ring, ordered by load.
+    """Return a `Point` for each combination of a radial `load` (N, along x) and a speed `rpm` of
+    the inner ring, ordered by load.
 
-    `bearing` is a `Bearing` or, like `lubricant`, a file in the inputs `folder` or a path;
-    `four_point` and `double_row` are as in `inputs.bearing`. Without a lubricant there is no
-    damping. `models` is paper or full, and `temperature` is in degrees C. `frequency` is the
-    vibration frequency in rad/s; by default it is the shaft speed, which rotor programs assume in
-    their tables. `axial` is in N; `options` (clearance, held, moment) are passed to
-    `static.equilibrium`. By default the tilts are held at 0. If the bearing comes from a file and
-    there is no axial load, the ring is also held along z (`inputs.held`). Raises `RacewayError`, or
-    `ValueError` for a number out of range.
+    `bearing` is a `Bearing`, or the name of a file in the inputs `folder` or its path; the same
+    names are accepted for `lubricant`. `four_point` and `double_row` are as in `inputs.bearing`. If
+    no lubricant is given, there is no damping. `models` is paper or full, and `temperature` is in
+    degrees C. `frequency` is the vibration frequency in rad/s; by default it is the shaft speed, as
+    rotor programs assume for their tables. `axial` is in N; `options` (clearance, held, moment) are
+    passed to `static.equilibrium`. By default, the tilts are held at 0. If the bearing comes from a
+    file and there is no axial load, the ring is also held along z (`inputs.held`). Raises
+    `RacewayError`, or `ValueError` for a number out of range.
     """
     if models not in LAWS:
         raise ValueError(f"models '{models}' is not one of {', '.join(LAWS)}")
@@ -116,8 +117,8 @@ def points(
 def at_rest(carried: Carried, rpm: ArrayLike, **options: Any) -> list[Point]:
     """Return the `points` of a bearing for each `rpm`, under the loads and at the tilts that it has
     when the shaft is at rest (`shaft.rest`). The matrices are therefore expressed in the axes of
-    the shaft for any direction of the load. `options` such as lubricant and temperature are passed
-    to `points`."""
+    the shaft, whatever the direction of the load. `options` such as lubricant and temperature are
+    passed to `points`."""
     x, y, z = carried.load[:3].tolist()
     tilts = dict(zip(FREEDOMS[3:], carried.place[3:].tolist()))
     place = dict(load_azimuth=math.atan2(y, x), held=tilts, clearance=carried.seat.clearance)
@@ -131,10 +132,10 @@ def ross(
     kzz, the corresponding cxx to czz and, if there are several `rpm`, `frequency` in rad/s. All
     values are Python floats or lists of floats.
 
-    `load` in N is radial, along x; `options` are passed to `points`. If `tilts` is "held", the
-    arguments are entries of the 5 x 5 matrices, and `add_rest` adds the remaining entries. If it is
-    "free", they are the stiffness and damping of the ring when only the bearing restrains its
-    tilts; `add_rest` is then not needed. Warns if ROSS's smoothing of a table with more than four
+    `load` is the radial load in N along x; `options` are passed to `points`. If `tilts` is "held",
+    the arguments are entries of the 5 x 5 matrices, and `add_rest` adds the remaining entries. If
+    it is "free", they are the stiffness and damping of the ring if only the bearing restrains its
+    tilts, and `add_rest` is not needed. Warns if ROSS's smoothing of a table with more than four
     speeds changes an entry by more than 1 %.
 
     >>> one = ross("6208", 3000.0, 0.0, clearance=10e-6, phases=1)
@@ -145,7 +146,7 @@ def ross(
 
 
 def ross_of(points: Sequence[Point], tilts: str = "held") -> dict[str, float | list[float]]:
-    """Return the same arguments as `ross` from `points` at one load, in order of increasing speed.
+    """Return the same arguments as `ross`, from `points` at one load in order of increasing speed.
     Raises `ValueError` if the points have different loads or are not in this order."""
     speeds = [one.rpm for one in points]
     if len({(one.load, one.axial) for one in points}) != 1 or np.any(np.diff(speeds) <= 0):
@@ -164,9 +165,9 @@ def ross_of(points: Sequence[Point], tilts: str = "held") -> dict[str, float | l
 
 
 def translations(point: Point, tilts: str = "held") -> tuple[Floats, Floats]:
-    """Return (K in N/m, C in N s/m), both (3, 3), for the translations of the ring, with `tilts` as
-    in `ross`. Raises `ValueError` for an unknown value of `tilts`, or if the tilts are free and no
-    stiffness restrains them."""
+    """Return the matrices K in N/m and C in N s/m, both (3, 3), for the translations of the ring,
+    with `tilts` as in `ross`. Raises `ValueError` for an unknown value of `tilts`, or if the tilts
+    are free and no stiffness restrains them."""
     if tilts not in TILTS:
         raise ValueError(f"tilts '{tilts}' is not one of {', '.join(TILTS)}")
     mean = point.over.mean
@@ -238,9 +239,9 @@ def columns() -> list[str]:
 
 
 def write_csv(points: Sequence[Point], path: FilePath) -> Path:
-    """Write a CSV file with one row per point, in SI units: the means of K and C over the ball
-    pass, row by row in the order x, y, z, rx, ry, and the least and greatest values of the diagonal
-    of K."""
+    """Write a CSV file with one row per point, in SI units. A row contains the means of K and C
+    over the ball pass, matrix row by matrix row in the order x, y, z, rx, ry, and the smallest and
+    largest values of the diagonal of K."""
     lines = [",".join(columns())]
     for one in points:
         mean, least, most = one.over
@@ -251,8 +252,8 @@ def write_csv(points: Sequence[Point], path: FilePath) -> Path:
 
 
 def write_json(points: Sequence[Point], path: FilePath) -> Path:
-    """Write `points` as one JSON object, with each matrix as a list of rows and with the least and
-    greatest values of all entries."""
+    """Write `points` as one JSON object, with each matrix as a list of rows, and with the smallest
+    and largest values of all entries."""
     return files.text(path, json.dumps(as_mapping(points), indent=1, allow_nan=False) + "\n")
 
 
@@ -280,14 +281,14 @@ def write_ross(
 
 
 def _unit(a: int, b: int, second: str = "") -> str:
-    """Return the unit of the matrix entry in row `a` and column `b`, which is a force or moment per
+    """Return the unit of the matrix entry in row `a` and column `b`, i.e. of a force or moment per
     displacement or tilt."""
     power = PER_METRE[a] + PER_METRE[b]
     return {2: f"N{second}/m", 1: f"N{second}/rad", 0: f"N m{second}/rad"}[power]
 
 
 def _cleaned(one):
-    """Return the matrices with entries that are 0 by symmetry freed of rounding errors."""
+    """Return the matrices with rounding errors removed from entries that are 0 by symmetry."""
     result = []
     for matrix in one:
         scale = np.sqrt(np.abs(np.diag(matrix)))

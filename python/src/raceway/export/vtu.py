@@ -22,8 +22,8 @@ ORDER = "LittleEndian" if sys.byteorder == "little" else "BigEndian"
 
 
 def grid(points: Floats, cells: ArrayLike, data: Mapping[str, NDArray[Any]]) -> str:
-    """Return the text of a .vtu file with `points` (n, 3), `cells` of point indices, which are (m,
-    1) for vertices or (m, 4) for quads, and the point data `data` {name: (n,) or (n, 3)}."""
+    """Return the text of a .vtu file. It contains `points` (n, 3), `cells` of point indices, (m, 1)
+    for vertices or (m, 4) for quads, and the point data `data` {name: array (n,) or (n, 3)}."""
     cells = np.asarray(cells)
     kind = QUAD if cells.shape[1] == 4 else VERTEX
     parts = [

@@ -34,14 +34,14 @@ def animation(
     factor: float | None = None,
     width: int = 800,
 ) -> Path:
-    """Animate the run `tables`, write the animation to `path`, which ends in .gif or .mp4, and
+    """Animate the run `tables`, write the animation to `path`, which must end in .gif or .mp4, and
     return the `Path`.
 
     The animation shows `passes` ball passes (None: all measured passes, but at most 4) in `frames`
-    frames that are evenly spaced in time, at `rate` frames per second and with a width of `width`
-    pixels; `colour` and `factor` are as in `scene.scene`. GIFs of the same run are bitwise
-    identical. Raises `RunError` if the run's files are invalid or contain fewer passes, or if the
-    animation cannot be written.
+    frames that are evenly spaced in time, at `rate` frames per second. It is `width` pixels wide;
+    `colour` and `factor` are as in `scene.scene`. GIFs of the same run are bitwise identical.
+    Raises `RunError` if the run's files are invalid or contain fewer passes, or if the animation
+    cannot be written.
     """
     kind = str(path).lower().rpartition(".")[2]
     if kind not in WRITERS:
@@ -68,13 +68,13 @@ def animation(
 
 
 def _window(tables, passes, frames):
-    """Return (part of the run `tables` that is needed, samples to draw)."""
+    """Return the part of the run `tables` that is needed, and the samples to draw."""
     have = len(tables.record) - tables.first
     if have < 1:
         raise RunError(f"{tables.folder} contains no sample to draw")
     way = tables.passes(tables.first + np.arange(have))
     way = way - way[0]
-    # the cage slips, so fewer passes than requested may have taken place: accept the deck's number
+    # the cage slips, so there may be fewer passes than requested: accept the number in the deck
     if passes is not None and passes > max(way[-1], tables.settings["passes"]) + 0.5 / have:
         raise RunError(f"{tables.folder} has {way[-1]:.3g} ball passes, fewer than {passes:g}")
     wanted = max(int(np.searchsorted(way, 4.0 if passes is None else passes)), 1)
@@ -84,7 +84,7 @@ def _window(tables, passes, frames):
 
 
 def _pictures(sheet, count):
-    """Yield the frames as arrays (height, width, 3) of bytes."""
+    """Yield each frame as an array (height, width, 3) of bytes."""
     for k in range(count):
         sheet.show(k)
         sheet.figure.canvas.draw()
@@ -111,8 +111,8 @@ def _gif(part, pictures, rate):
 
 
 def _palette():
-    """Return one palette for all frames, so that parts of the picture that do not change between
-    frames take no space. This is possible because the frames have few colours."""
+    """Return one palette for all frames, so that parts of the picture that do not change take no
+    space. A single palette suffices because the frames have few colours."""
     scale = plt.get_cmap(style.MAP)(np.linspace(0, 1, COLOURS))[:, :3]
     grey = np.repeat(np.linspace(0, 1, GREYS)[:, None], 3, axis=1)
     flat = to_rgba_array([STEEL, CAGE, IDLE, style.INK, style.SOFT, style.FAINT])[:, :3]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Polar panels that show load and film thickness of every ball against its azimuth, with the load
-line pointing down."""
+"""Polar panels that show the load and the film thickness of every ball against its azimuth, with
+the load line pointing down."""
 
 from collections.abc import Sequence
 
@@ -19,11 +19,11 @@ from raceway.units import axis
 
 
 def loads(axes: Axes, tables: RunTables) -> float:
-    """Plot the contact loads of the run `tables` on polar `axes` and return the factor from newtons
-    to the unit of the plot."""
+    """Plot the contact loads of the run `tables` on polar `axes`, and return the factor that
+    converts newtons to the unit of the plot."""
     largest = tables.contacts["load"].max()
     factor, unit = axis(largest, "N")
-    # the outer curve is drawn first and wider, because the inner one covers it at low centrifugal
+    # the outer curve is drawn first and wider, because the inner curve covers it at low centrifugal
     # load
     width = {OUTER: 5, INNER: 1.6}
     for side in (OUTER, INNER):
@@ -45,14 +45,14 @@ def loads(axes: Axes, tables: RunTables) -> float:
 
 
 def film(axes: Axes, tables: RunTables) -> float:
-    """Plot the film thickness of the run `tables` and the lubrication regimes on polar `axes` and
-    return the factor from metres to the unit of the plot."""
+    """Plot the film thickness of the run `tables` and the lubrication regimes on polar `axes`, and
+    return the factor that converts metres to the unit of the plot."""
     # only these contacts determine the scale
     loaded = tables.contacts[tables.contacts["load"] > 5 * LIGHT * tables.contacts["load"].max()]
     factor, unit = axis(loaded["h_c"].max(), "m")
     unity = tables.settings["roughness_m"] * factor  # film thickness at which lambda is one
     edge = thickest = 1.12 * loaded["h_c"].max() * factor
-    for mark in (1, 3):  # show a limit only if it is close, so that the film remains legible
+    for mark in (1, 3):  # show a limit only if it is close, so that the film curve remains legible
         if mark * unity < 3 * thickest:
             edge = max(edge, 1.12 * mark * unity)
     around = np.linspace(0, 2 * np.pi, 361)

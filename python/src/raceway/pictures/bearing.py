@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Draw the bearing from the front, cut in its central plane so that the grooves are visible, and in
-section.
+axial section.
 
 The grooves are the simulated tori. Runs contain neither the thickness and width of the rings beyond
 the grooves nor the height of the shoulders, so these are drawn in proportion to the size of the
@@ -26,7 +26,7 @@ from raceway.units import axis, prefixed
 # fractions of the ball diameter: ring thickness behind the grooves, half width, shoulder height
 THICK, WIDE, SHOULDER = (0.3, 0.72, 0.2)
 STEEL, DARK, LIGHT, CAGE, IDLE = "#c9ced6", 0.52, 0.92, "#efe9dc", "#f4f4f4"
-SHADES = 12  # number of shades in a groove
+SHADES = 12  # number of shades used to draw a groove
 MM = 1e3
 
 
@@ -56,7 +56,8 @@ class Sheet:
         inner, outer = rpm(tables)
         self.speed = np.abs(inner - outer)
         self.factor, self.unit = axis(np.nanmax(what.values, initial=0.0), COLOURS[colour][2])
-        # the scale of film thickness does not start at zero, because it is never near zero
+        # the scale of the film thickness does not start at zero, because values near zero do not
+        # occur
         low = np.nanmin(what.values, initial=np.inf) if colour == "film" else 0.0
         self.norm = plt.Normalize(
             low * self.factor if np.isfinite(low) else 0,
@@ -280,8 +281,8 @@ def _mark(axes):
 
 def _groove(race, sign, geometry, side):
     """Yield (radius, shade) along the wall of a groove as seen from the front, from its bottom at
-    the radius `race` to the shoulder; `sign` is 1 if the shoulder is outside the bottom, otherwise
-    -1."""
+    the radius `race` to the shoulder. `sign` is 1 if the shoulder is outside the bottom, and -1
+    otherwise."""
     groove = geometry.groove(side)
     for height in np.linspace(0, SHOULDER * geometry.ball_diameter, SHADES):
         # component of the wall's normal in the direction of the viewer

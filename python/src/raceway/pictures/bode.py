@@ -16,15 +16,15 @@ from raceway.theory.electric_point import Point
 
 
 def frequencies(resistivity: float, count: int = 400) -> Floats:
-    """Return frequencies (count,) in Hz from far below the corner frequency of films, for an oil
-    with `resistivity` (ohm m), to 100 MHz."""
+    """Return frequencies (count,) in Hz from far below the corner frequency of the films, for an
+    oil with `resistivity` (ohm m), to 100 MHz."""
     corner = 1 / (2 * np.pi * resistivity * 2e-11) if np.isfinite(resistivity) else 1.0
     return np.geomspace(10 ** np.floor(np.log10(max(corner / 100, 1e-3))), 1e8, count)
 
 
 def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FilePath) -> None:
-    """Plot magnitude and phase of the impedance of a bearing and of its plates alone against
-    frequency, for an oil with `resistivity` (ohm m), and write the plot to the PNG file `path`.
+    """Plot magnitude and phase of the impedance against frequency, for the bearing and for its
+    plates alone, in an oil with `resistivity` (ohm m). Write the plot to the PNG file `path`.
     Raises `RunError` if the file cannot be written."""
     found = point.capacitors()
     loaded = found.inner.load > 0

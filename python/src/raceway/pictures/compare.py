@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Plot the envelope spectra of a run and a recording against the order of the shaft, and mark their
-lines."""
+"""Plot the envelope spectra of a run and a recording against shaft order, and mark their lines."""
 
 import matplotlib.pyplot as plt
 import numpy as np

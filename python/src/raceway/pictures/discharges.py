@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Plot the discharges in a circuit: position around the ring, energy and voltage."""
+"""Plot the position around the ring, the energy and the voltage of the discharges in a circuit."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -20,10 +20,10 @@ def picture(run: Run, result: Result, path: FilePath) -> None:
     """Plot the discharges in `result`, the circuit of `run`, and write the plot to the PNG file
     `path`.
 
-    Each dot is a discharge, in the colour of the raceway at which the first film failed. The left
-    panel shows the azimuth from the load line, with the energy as radius. The right panel shows the
-    bearing voltage before each discharge, the voltage that remains after it, and the threshold
-    voltage. Raises `RunError` if the picture cannot be written.
+    Each dot is a discharge, in the colour of the raceway at which the first film failed. In the
+    left panel, its angle is the azimuth from the load line and its radius is the energy. The right
+    panel shows the bearing voltage before each discharge, the voltage that remains after it, and
+    the threshold voltage. Raises `RunError` if the picture cannot be written.
     """
     with plt.rc_context(style.STYLE):
         figure = plt.figure(figsize=(14, 7.4), dpi=110)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Title and ticks for the pictures of a bearing as a capacitor."""
+"""Title and tick labels of the pictures of a bearing as a capacitor."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -18,7 +18,7 @@ LEFT, RIGHT = 0.085, 0.965  # fractions of the figure width
 
 def head(figure: Figure, names: Mapping[str, Any], title: str, without: str = "") -> None:
     """Write the title and, below it, the bearing and the operating point in `names` (from
-    `electric_point.figures`) without the quantity `without`."""
+    `electric_point.figures`), except for the quantity `without`."""
     height = figure.get_figheight()
     warm = names["temperature_C"]
     words = {
@@ -51,7 +51,7 @@ def head(figure: Figure, names: Mapping[str, Any], title: str, without: str = ""
 
 
 def plain_ticks(axes: Axes, x: Floats) -> None:
-    """Set tick labels such as 100, 200, 500 on a logarithmic axis with the values `x`."""
+    """Set tick labels such as 100, 200, 500 on a logarithmic axis for the values `x`."""
     low, high = np.floor(np.log10(x.min())), np.ceil(np.log10(x.max()))
     ticks = [m * 10.0**d for d in np.arange(low, high + 1) for m in (1, 2, 5)]
     ticks = [tick for tick in ticks if 0.999 * x.min() <= tick <= 1.001 * x.max()]

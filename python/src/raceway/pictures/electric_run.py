@@ -99,8 +99,7 @@ def field(run: Run, fields: xr.Dataset, voltage: float, path: FilePath) -> None:
 def bode(run: Run, whole: xr.Dataset, resistivity: float, path: FilePath) -> None:
     """Plot magnitude and phase of the impedance in a `run` against frequency, with mean and range
     over time, for an oil with `resistivity` (ohm m), and write the plot to the PNG file `path`.
-    `whole` is from `whole_capacitance.over_time`. Raises `RunError` if the file cannot be
-    written."""
+    `whole` is from `whole_capacitance.over_time`. Raises `RunError` if it cannot be written."""
     frequency = frequencies(resistivity, 120)
     z = film_figures.spectrum(whole, frequency, resistivity).to_numpy()
     with plt.rc_context(STYLE):
@@ -129,7 +128,7 @@ def _below(text, data):
 
 
 def _largest(which, values):
-    """Return the largest of the `values` in each sector, (BINS,), with NaN for empty sectors."""
+    """Return the largest of the `values` in each sector, shape (BINS,); empty sectors are NaN."""
     found = np.full(BINS, -np.inf)
     np.maximum.at(found, which, np.where(np.isfinite(values), values, -np.inf))
     return np.where(np.isfinite(found), found, np.nan)

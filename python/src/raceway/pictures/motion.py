@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Plot the motion of the inner ring (orbit, displacement, tilt) and the moment that opposes its
-spin, as well as the force on the cage, and the orbit and pocket forces of a one-piece cage."""
+"""Plot the motion of the inner ring (orbit, displacement, tilt), the moment that opposes its spin,
+and the force on the cage; for a one-piece cage, also its orbit and the pocket forces."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -22,8 +22,8 @@ def motion(tables: RunTables, path: FilePath) -> None:
     opposes its spin, and the largest force on the cage against time. For a one-piece cage, they
     also show the orbit of the cage and the forces of the balls on their pockets against azimuth.
 
-    There is no panel for quantities that were not recorded or did not change. Raises `RunError` if
-    the run's files are invalid or do not contain a ring, or if the picture cannot be written.
+    Quantities that were not recorded or did not change have no panel. Raises `RunError` if the
+    run's files are invalid or do not contain a ring, or if the picture cannot be written.
     """
     rings = tables.rings
     if not len(rings):
@@ -107,16 +107,15 @@ def _tilt(axes, tables):
 
 
 def _torque(axes, tables):
-    # the mean of this moment, i.e. the friction torque, is much smaller than its ripple; the
-    # summary
-    # therefore computes the torque from the losses
+    # the mean of this moment, i.e. the friction torque, is much smaller than its ripple, so the
+    # summary computes the torque from the losses instead
     torque = -tables.rings["mz"] * np.sign(tables.motion.shaft)
     _lines(axes, tables, {"balls on the inner ring": torque}, "N m")
     axes.set_title("Moment against the spin", pad=10)
 
 
 def _cage(axes, tables):
-    # cage contacts are short, and are recorded only at the ends of the host's steps
+    # cage contacts are brief and are recorded only at the ends of the host's steps
     force = tables.totals["cage_force"].dropna()
     factor, unit = axis(force.max() or 1.0, "N")
     time = tables.passes(force.index.to_numpy())

@@ -19,9 +19,9 @@ PARTS = 3  # number of torque components with their own colour; more do not fit 
 
 
 def overview(tables: RunTables, path: FilePath) -> None:
-    """Plot an overview of the run `tables` and write it to the PNG file `path`. It shows the loads,
-    the friction torque by component or the pressures, and film and capacitance or the motion of the
-    ring.
+    """Plot an overview of the run `tables` and write it to the PNG file `path`. The panels show the
+    loads; the friction torque by component, or the pressures; and the film and the capacitance, or
+    the motion of the ring.
 
     Raises `RunError` if the run's files are invalid or the picture cannot be written.
     """
@@ -85,9 +85,9 @@ def _subtitle(figures):
 
 
 def _torque(axes, tables, scale):
-    """Plot the power loss by component times `scale`, which is the reciprocal of the speed. All
-    components except the largest `PARTS`, and those below one hundredth of the total, are
-    combined."""
+    """Plot the power loss by component, multiplied by `scale`, the reciprocal of the speed. Only
+    the `PARTS` largest components are shown separately, and only if they exceed one hundredth of
+    the total; all others are combined."""
     samples = np.arange(len(tables.totals))
     lost = {name: tables.totals[key] for name, key in LOSSES.items() if key in tables.totals}
     # the loss at the cage is known only at the ends of steps

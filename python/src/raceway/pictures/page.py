@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Common parts of a picture: title with the settings of the run, legends and axes."""
+"""Common parts of the pictures: title with the settings of the run, legends and axes."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -19,8 +19,8 @@ LEFT, RIGHT = 0.075, 0.965  # fractions of the figure width
 
 
 def quantity(meaning: str) -> str:
-    """Return the `meaning` of a signal without the explanation after the first comma, for a
-    title."""
+    """Return the `meaning` of a signal, for use as a title, without the explanation after the first
+    comma."""
     return meaning.partition(",")[0]
 
 
@@ -46,8 +46,7 @@ def head(figure: Figure, tables: RunTables, below: str, size: float = 17) -> Non
 
 
 def fit(text: Text, share: float) -> None:
-    """Shrink a `text` that is longer than the fraction `share` of the figure width to that
-    width."""
+    """Shrink `text` to the fraction `share` of the figure width if it is wider than that."""
     width = text.get_window_extent(text.figure.canvas.get_renderer()).width
     text.set_fontsize(text.get_fontsize() * min(1, share * text.figure.bbox.width / width))
 
@@ -64,8 +63,8 @@ def against_time(axes: Axes, tables: RunTables, samples: int) -> None:
 
 
 def finish(axes: Axes, title: str, top: float | None, handles: Sequence[Artist]) -> None:
-    """Set title, grid and legend and, unless `top` is None, the range of the y axis, which starts
-    at zero."""
+    """Set the title, the grid, the legend and, unless `top` is None, the range of the y axis, which
+    then starts at zero."""
     axes.set_title(title, pad=10)
     axes.grid(True)
     if top is not None:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The part of a run that is plotted, and the tracks of its balls around the ring.
+"""The part of a run that is plotted, and the tracks of the balls around the ring.
 
 A curve around the ring consists of the tracks of all balls, drawn on top of each other. The width
-of the resulting band shows how much the value at one ball depends on the positions of the other
+of the resulting band shows how strongly the value at one ball depends on the positions of the other
 balls.
 """
 
@@ -16,7 +16,7 @@ from raceway.errors import RunError, RunWarning
 from raceway.runs.tables import RunTables
 
 LIGHT = 0.01  # fraction of the largest load; the film thickness of lighter contacts is not shown
-# file size of a record in bytes above which only some ball passes are plotted, and their number
+# size of a record in bytes above which only some ball passes are plotted, and their number
 LARGE, PASSES = (200 << 20, 20)
 
 
@@ -58,10 +58,10 @@ def need(tables: RunTables, column: str, what: str) -> None:
 def tracks(
     tables: RunTables, raceway: int, column: str, above: float = 0.0
 ) -> Iterator[tuple[Floats, Floats]]:
-    """Yield (psi, values) for the path of each ball past one raceway; psi is in rad and unwrapped,
-    and the values are NaN where the ball lost contact.
+    """Yield (psi, values) for the path of each ball past one raceway. psi is in rad and unwrapped,
+    and the values are NaN where the ball has lost contact.
 
-    Contacts that carry no more than a fraction `above` of the largest load count as lost."""
+    A contact counts as lost if it carries no more than a fraction `above` of the largest load."""
     contacts = tables.contacts
     rows = contacts[
         (contacts["raceway"] == raceway) & (contacts["load"] > above * contacts["load"].max())

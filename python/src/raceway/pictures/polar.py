@@ -21,8 +21,8 @@ STRAIGHT = 0.01  # rad; contacts at larger angles also carry loads other than th
 
 
 def polar(tables: RunTables, path: FilePath) -> None:
-    """Plot contact load and, if there is a lubricant, film thickness of the run `tables` against
-    azimuth, and write the plot to the PNG file `path`.
+    """Plot the contact load and, if there is a lubricant, the film thickness of the run `tables`
+    against azimuth, and write the plot to the PNG file `path`.
 
     Dots are the results of `theory`. Raises `RunError` if the run's files are invalid or the
     picture cannot be written.
@@ -64,8 +64,8 @@ def polar(tables: RunTables, path: FilePath) -> None:
 
 def theory(tables: RunTables) -> dict[int, dict[str, Floats]]:
     """Return {side: {"psi": rad, "load": N, "h_min": m, "h_c": m}} for the loaded contacts at
-    `PHASES` positions of the balls, without films if the bearing is dry. The dict is empty if
-    theory does not apply, i.e. if contacts are at an angle or if there is no equilibrium.
+    `PHASES` positions of the balls; a dry bearing has no films. The dict is empty if the theory
+    does not apply, i.e. if contacts are at an angle or if there is no equilibrium.
     """
     if "angle" in tables.contacts and np.abs(tables.contacts["angle"]).max() > STRAIGHT:
         return {}

@@ -29,20 +29,21 @@ VISIBLE = 0.12  # largest motion in the picture, as a fraction of the ball radiu
 
 @dataclass(frozen=True)
 class Scene:
-    """n samples of a bearing with Z balls; lengths in m, angles in rad, x and y transverse to the
-    axis."""
+    """n samples of a bearing with Z balls. Lengths are in m and angles in rad; x and y are
+    transverse to the axis."""
 
     samples: Floats  # (n,), sample numbers
     factor: float  # factor by which motions are exaggerated
-    balls: Floats  # (n, Z, 3)
-    cage: Floats  # (n, C, 3)
+    balls: Floats  # (n, Z, 3), positions of the balls
+    cage: Floats  # (n, C, 3), positions of the cage balls
     pockets: Floats  # (n, P, 3), centres of the pockets of a one-piece cage
     pocket_play: float  # play of the pockets along the pitch circle
     ring: Floats  # (n, 3), displacement of the inner ring
     half_clearance: float
     turned: Floats  # (n, Z), rotation of the balls about z since the first sample
     ring_turned: Floats  # (n,), rotation of the inner ring since the first sample
-    values: Floats  # (n, Z), values for the colours of the balls, NaN for a ball without a value
+    # (n, Z), values that determine the colours of the balls; NaN if there is no value
+    values: Floats
     load: Floats  # (n, Z), N, larger contact load of each ball, 0 if there is no contact
 
 
@@ -105,8 +106,8 @@ def scene(
 
 
 def nice(seen: float, largest: float) -> float:
-    """Return the largest of 1, 2, 5, 10, 20 ... whose product with `largest` is at most `seen`, or
-    1.
+    """Return the largest of 1, 2, 5, 10, 20 ... whose product with `largest` is at most `seen`, but
+    at least 1.
 
     >>> nice(0.75e-3, 34.8e-6), nice(0.75e-3, 2e-3), nice(0.75e-3, 0.0)
     (20.0, 1.0, 1.0)
@@ -135,7 +136,7 @@ def _turned(table, step):
 
 
 def _values(tables, colour, samples, ids):
-    """Return (values (n, Z) for `colour`, loads (n, Z))."""
+    """Return the values (n, Z) for `colour` and the loads (n, Z)."""
     contacts = tables.contacts[tables.contacts["sample"].isin(samples)]
 
     def grid(table, column, how):

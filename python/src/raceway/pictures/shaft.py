@@ -14,7 +14,7 @@ POINTS = 20  # number of points per cubic segment
 
 
 def line(z: np.ndarray, moved: np.ndarray, slope: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return (z, displacement) of a smooth line through nodes at `z` (N,) with the displacements
+    """Return (z, displacement) along a smooth line through nodes at `z` (N,) with the displacements
     `moved` (N,) and the slopes `slope` (N,)."""
     s = np.linspace(0, 1, POINTS)
     places, values = [], []

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Plot a spectrum and mark its kinematic lines, with their names if they were found and otherwise
-with dotted lines."""
+"""Plot a spectrum and mark its kinematic lines. Lines that were found are labelled; the others are
+dotted."""
 
 from collections.abc import Sequence
 from itertools import cycle
@@ -20,7 +20,7 @@ COLOUR = dict(zip((*NAMES.values(), SHAFT, OUTER_RING, COMPLIANCE), cycle(PALETT
 WIDE, NARROW = 0.075, 0.014  # widths of horizontal and vertical labels, as fractions of the axis
 PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.5, "alpha": 0.85}
 DECADES = 6  # range below the largest amplitude that is shown
-ROOM = 9.0  # factor in amplitude between two rows of labels
+ROOM = 9.0  # ratio of the amplitudes at which two adjacent rows of labels are drawn
 
 
 def of_flaw(line: Line) -> str:
@@ -29,8 +29,8 @@ def of_flaw(line: Line) -> str:
 
 
 def levels(places: Sequence[float], width: float) -> list[int]:
-    """Return rows (0, 1 ...) for labels at `places`, each `width` wide, so that they do not
-    overlap."""
+    """Return row numbers (0, 1 ...) for labels at `places`, each `width` wide, such that the labels
+    do not overlap."""
     ends, rows = [], dict.fromkeys(places, 0)
     for place in sorted(rows):
         row = next((k for k, end in enumerate(ends) if place - end >= width), len(ends))

@@ -17,8 +17,7 @@ from raceway import files
 from raceway.theory.bearing import INNER, OUTER
 
 # Okabe and Ito's palette, which colour-blind readers can distinguish; the colours of the two
-# raceways
-# also differ in lightness
+# raceways also differ in lightness
 PALETTE = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00")
 COLOUR = {INNER: PALETTE[0], OUTER: PALETTE[1]}
 NAME = {INNER: "inner raceway", OUTER: "outer raceway"}

@@ -15,11 +15,11 @@ from raceway.runs import spectrum
 from raceway.runs.source import Source
 from raceway.units import axis
 
-DECADES = 2.5  # range of the colour scale below the largest amplitude
+DECADES = 2.5  # range of the colour scale below the largest amplitude, in decades
 POWER = 0.98  # fraction of the signal's power below the upper limit of the vertical axis
 MOST = 800  # largest number of rows and columns that are plotted
-LABEL = 0.036  # height of a name, as a fraction of the axis
-HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,)}  # other lines: only the first
+LABEL = 0.036  # height of a name, as a fraction of the axis height
+HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,)}  # for other lines, only the first
 
 
 def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
@@ -71,8 +71,8 @@ def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
 
 
 def _lines(run, found):
-    """Return {(name, harmonic): position on the vertical axis} for the lines whose frequencies
-    follow from the cage speed."""
+    """Return {(name, harmonic): position on the vertical axis} for the lines whose frequencies are
+    known from the cage speed."""
     which = 0 if found.attrs["orders"] else 1
     return {
         (name, n): place[which]
@@ -82,8 +82,8 @@ def _lines(run, found):
 
 
 def _top(found, places):
-    """Return the upper limit of the vertical axis, which is above all lines for an envelope and
-    above most of the power for a signal."""
+    """Return the upper limit of the vertical axis. For an envelope it is above all lines, and for a
+    signal it is above most of the power."""
     upright = found[found.dims[0]].to_numpy()
     if "band" in found.attrs:
         return min(1.1 * max(places.values()), upright[-1])

@@ -13,8 +13,8 @@ from raceway.units import axis
 
 
 def picture(found: Track, names: Mapping[str, str], path: FilePath) -> None:
-    """Plot `found` and write the plot to the PNG file `path`; `names` maps the unknowns to words.
-    Raises `RunError` if the file cannot be written."""
+    """Plot `found` and write the plot to the PNG file `path`; `names` maps each unknown to its name
+    in words. Raises `RunError` if the file cannot be written."""
     with plt.rc_context(STYLE):
         size = len(found.names)
         figure, all_axes = plt.subplots(

@@ -20,7 +20,7 @@ from raceway.units import axis
 
 WIDTH = 0.5  # width of a band, as a fraction of the ball pitch
 ROWS = 600  # number of samples that a page can resolve; if there are more, some are skipped
-IDLE = "#ececec"  # colour of a ball that is not loaded on both raceways
+IDLE = "#ececec"  # colour of a ball unless it is loaded on both raceways
 
 
 def waterfall(tables: RunTables, path: FilePath) -> None:
@@ -106,9 +106,8 @@ def waterfall(tables: RunTables, path: FilePath) -> None:
 
 def bands(tables: RunTables) -> tuple[Integers, Floats, Floats]:
     """Return (samples (n,), psi (n, Z), capacitance (n, Z)) for the balls of the run `tables`. psi
-    is the azimuth from the load line in rad, unwrapped; the capacitance is in F, or NaN for a ball
-    that is not loaded on both raceways. There are at most about `ROWS` samples, which are evenly
-    spaced.
+    is the unwrapped azimuth from the load line in rad. The capacitance is in F, or NaN for a ball
+    that is not loaded on both raceways. There are at most about `ROWS` evenly spaced samples.
     """
     there = tables.balls
     table = there[there["type"] == BALL_TYPE].sort_values(["sample", "id"])

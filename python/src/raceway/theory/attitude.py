@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Rotation of balls that roll on both raceways under Coulomb's law and the gyroscopic moment.
 
-In the plane spanned by the bearing's axis e and the radius u through a ball, rolling on both
+In the plane spanned by the bearing's axis e and the radial direction u of a ball, rolling on both
 raceways leaves one speed undetermined: the radial component x of the ball's rotation. The orbital
 speed Omega and both spins are linear functions of x. An orbiting ball with inertia J needs the
 moment J Omega x about the direction t of its path. Only friction across the raceways can supply
@@ -9,12 +9,14 @@ this moment, so the ball rotates about t and slides across both raceways at the 
 
     J Omega x = R_b sum of mu Q s/sqrt(s^2 + v^2),    v = s_e/3.80,
 
-as in the simulation's law of slip across the groove (docs/tribology, Slip in a time step). This
+as in the law that the simulation uses for slip across the groove (docs/tribology, Slip in a time
+step). This
 rotation in turn needs the moment J Omega s/R_b about u, which is supplied by spin:
 
     sum of M_k domega_k/dx + J Omega s/R_b = 0,    M_k = spin.closed_moment in the presence of s.
 
-If friction is too low for the moment, x is limited and s grows, i.e. the ball pivots and slides.
+If friction is too low to supply the moment, x is limited and s grows, i.e. the ball pivots and
+slides.
 """
 
 from typing import NamedTuple
@@ -26,18 +28,18 @@ from raceway.core import laws
 from raceway.theory import sliding
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
-HALVINGS = 120  # bisections; the sliding speeds of sticking and sliding balls differ by up to 1e20
-ROUNDS = 5  # iterations for the orbital speed
+HALVINGS = 120  # number of bisections; sliding speeds range over up to 20 orders of magnitude
+ROUNDS = 5  # number of iterations for the orbital speed
 
 
 class Attitude(NamedTuple):
     """Motion of Z balls with two contacts each; contacts with the inner ring come first."""
 
-    orbit: Floats  # (Z,), rad/s
-    spin: Floats  # (2, Z), rad/s, of the ball relative to the ring about the contact normal
-    moment: Floats  # (2, Z), N m, opposing the spin
+    orbit: Floats  # (Z,), rad/s, orbital speed
+    spin: Floats  # (2, Z), rad/s, spin of the ball relative to the ring about the contact normal
+    moment: Floats  # (2, Z), N m, moment that opposes the spin
     across: Floats  # (Z,), m/s, sliding speed across both raceways, not negative
-    force: Floats  # (2, Z), N, opposing the sliding
+    force: Floats  # (2, Z), N, force that opposes the sliding
 
     __repr__ = short
 
@@ -53,7 +55,7 @@ def balanced(
     density: float,
 ) -> Attitude:
     """Compute the `Attitude` of balls at the contact angles `angle` (2, Z) in rad, with the inner
-    ring turning at `ring` rad/s, which must not be 0.
+    ring turning at `ring` rad/s (not 0).
 
     The contacts (2, Z) are described by the friction `limit` mu Q (N), the semi-axis `a` (m), the
     moment `pure` of pure spin (N m) and the sliding speed `edge` s_e of differential slip (m/s).
@@ -71,9 +73,9 @@ def balanced(
 
 
 def _at(slide, none, turn, radius, limit, a, edge, momentum):
-    """Return (orbit and spins (3, Z), fractions of the moment of pure spin (2, Z), forces across
-    (2, Z)) of balls that slide at `slide` (Z,) m/s, which has the sign of x; `momentum` is J
-    Omega."""
+    """Return three arrays for balls that slide at `slide` (Z,) m/s, which has the sign of x: the
+    orbit and spins (3, Z), the fractions of the moment of pure spin (2, Z), and the forces across
+    the grooves (2, Z). `momentum` is J Omega."""
     force = limit * slide / np.hypot(slide, edge / sliding.LEAN)
     motion = none + turn * radius * force.sum(0) / momentum
     return motion, laws.spin_shares(np.abs(motion[1:]) * a, edge, np.abs(slide)).spin, force
@@ -94,9 +96,9 @@ def _slide(none, turn, radius, limit, a, pure, edge, momentum):
 
 
 def rolling(bearing: Bearing, angle: Floats, ring: float) -> tuple[Floats, Floats]:
-    """Return (none, turn): the orbit and both spins (3, Z) in rad/s of balls that roll on both
-    raceways without radial rotation, and their change per rad/s of radial rotation. The angles (2,
-    Z) and `ring` are as in `balanced`."""
+    """Return (none, turn), both (3, Z). `none` contains the orbit and both spins in rad/s of balls
+    that roll on both raceways without radial rotation, and `turn` their changes per rad/s of radial
+    rotation. The angles (2, Z) and `ring` are as in `balanced`."""
     sizes = angle[INNER], angle[OUTER], ring, bearing.ball_radius, bearing.pitch_radius
     none, one = (laws.rolling_on_both(*sizes, radial) for radial in (0.0, 1.0))
     none, one = (np.array([m.orbit, m.spin_inner, m.spin_outer]) for m in (none, one))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equilibrium of the inner ring, found as the minimum of the energy of a bearing as a function of
-the ring's five degrees of freedom, where the balls are in equilibrium for each position of the
-ring.
+"""Equilibrium of the inner ring, found by minimising the energy of the bearing as a function of the
+ring's five degrees of freedom; for each position of the ring, the balls are in equilibrium.
+
 
 Internally, tilts are multiplied by a length and moments are divided by it, so that all five
 coordinates are in metres and all five loads in newtons.
@@ -25,19 +25,19 @@ from raceway.theory.small_motion import condensed
 class Here(NamedTuple):
     """State of the bearing at a given position of the ring, with the balls in equilibrium."""
 
-    energy: float  # J, except for a constant
+    energy: float  # J, energy up to an additive constant
     gradient: Floats  # (5,), derivative of the energy with respect to the ring's position
     touch: seat.Touch
 
     def hessian(self, metres: Floats) -> Floats:
         """Return the second derivatives (5, 5) of the energy with respect to the ring's position,
-        where tilts are multiplied by `metres`."""
+        with tilts multiplied by `metres`."""
         linear = seat.linear(self.touch)
         return condensed(linear.stiffness[linear.loaded]) / np.outer(metres, metres)
 
 
 class Balance:
-    """Equilibrium problem for one bearing under one load; keeps the stiffness of every contact."""
+    """The equilibrium problem of one bearing under one load, with the stiffness of each contact."""
 
     def __init__(
         self,
@@ -51,9 +51,9 @@ class Balance:
         finite_shift: bool,
         film: FilmInGap | None = None,
     ) -> None:
-        """Set up the problem. `force` (3,) is in N and `moment` (2,) in N m; `held` (5,) are
-        imposed displacements in m and rad, NaN where the ring is free; `azimuth` (Z,) in rad and
-        `centrifugal` (Z,) in N are for all balls, row by row."""
+        """Set up the problem. `force` (3,) is in N and `moment` (2,) in N m; `held` (5,) contains
+        the imposed displacements in m and rad, and NaN for free directions; `azimuth` (Z,) in rad
+        and `centrifugal` (Z,) in N list all balls, row by row."""
         self.bearing, self.clearance, self.azimuth = bearing, clearance, azimuth
         self.centrifugal = np.broadcast_to(np.asarray(centrifugal, float), azimuth.shape)
         self.moment, self.finite_shift = np.asarray(moment, float), finite_shift
@@ -74,16 +74,16 @@ class Balance:
         self.gap = np.array([[bearing.groove_gap(side)] for side in bearing.raceways])
         # m, rounding error of the distances, i.e. a few units in the last place of the radius
         self.digits = 8 * np.spacing(bearing.pitch_radius)
-        # m, longest Newton step, which is small compared with the groove
+        # m, longest Newton step, small compared with the groove
         self.cap = 0.25 * (bearing.groove_gap(INNER) + bearing.groove_gap(OUTER))
         self.film = film
         self._balls: Floats | None = None  # (Z, 2), at the previous position of the ring
         self._bend(np.zeros((len(self.gap), len(azimuth))))
 
     def start(self) -> Floats:
-        """Return a starting position: the ring moves through the play in the direction of the load
-        and then by an estimate of the compression. Raises `NoEquilibrium` if the direction of the
-        displacement is undetermined."""
+        """Return a starting position, estimated by moving the ring through the play in the
+        direction of the load and adding the approximate compression. Raises `NoEquilibrium` if the
+        direction of the displacement is undetermined."""
         loads = np.where(self.free, self.loads, 0)
         size = np.linalg.norm(loads)
         if self.free.any() and not size and not np.any(self.held):
@@ -101,9 +101,9 @@ class Balance:
         return np.where(self.free, free + direction * min(2 * squeeze, self.cap), self.held)
 
     def find(self, near: tuple[Floats, Floats] | None = None) -> tuple[Floats, Here]:
-        """Find a position of stable equilibrium and return it together with the state of the
-        bearing there. The search may start from `near`, (position (5,) in m and rad, contact angles
-        (C, Z)). Raises `NoEquilibrium`."""
+        """Find a position of stable equilibrium, and return it together with the state of the
+        bearing there. The search can start from `near`, i.e. (position (5,) in m and rad, contact
+        angles (C, Z)). Raises `NoEquilibrium` if none is found."""
         place = self.start()
         if near is not None:
             place = np.where(self.free, near[0] * self.metres, self.held)
@@ -117,8 +117,8 @@ class Balance:
                 np.abs(self.loads - loads) <= 1e-12 * np.abs(loads).max(initial=0)
             ):
                 break
-            # tilts can be so compliant that rounding errors change the last digits of the stiffness
-            # in every iteration
+            # tilts can be so compliant that, in every iteration, rounding errors change the last
+            # digits of the stiffness
             if np.all(np.abs(place - was) <= self.digits):
                 break
         else:
@@ -145,7 +145,7 @@ class Balance:
             if size <= 1e-11 * scale + self.digits * np.abs(value).max():
                 if value[0] >= -1e-9 * value[-1] or nudged == 5:
                     return place, here
-                # the ring is balanced on one ball: let it roll to one side
+                # the ring is balanced on one ball, so let it roll to one side
                 place, nudged = place + self._whole(0.01 * self.cap * vector[:, 0]), nudged + 1
                 here = self.at(place)
                 continue
@@ -177,7 +177,7 @@ class Balance:
         touch = seat.touch(grooves, ball)
         energy = seat.energy(grooves, touch, ball).sum() - self.loads[self.free] @ place[self.free]
         inner = len(touch.reach.distance)
-        # a ball with play carries no load, whatever its position
+        # a ball with play carries no load at any position
         lies = (touch.load[:inner] > 0).any(0) & (touch.load[inner:] > 0).any(0)
         lies |= self.centrifugal > 0
         touch = touch._replace(load=np.where(lies, touch.load, 0.0))
@@ -186,8 +186,8 @@ class Balance:
         return Here(energy, pull - self.loads, touch)
 
     def angles(self, touch: seat.Touch) -> Floats:
-        """Return the contact angles (C, Z) in rad, each relative to its own ring, without negative
-        zeros."""
+        """Return the contact angles (C, Z) in rad, each relative to the axis of its own ring;
+        negative zeros are replaced by zeros."""
         inner, outer = touch.reach.section, touch.direction[len(touch.reach.section) :]
         return (
             np.concatenate(
@@ -200,7 +200,7 @@ class Balance:
         )
 
     def _bend(self, angle):
-        """Compute the stiffness and the law of the contacts at the contact angles (C, Z)."""
+        """Compute the stiffness and the load law of the contacts at the contact angles (C, Z)."""
         bearing, modulus = self.bearing, self.bearing.effective_modulus
         radii = (
             bearing.effective_radii(side, one, self.clearance)
@@ -214,8 +214,8 @@ class Balance:
         )
 
     def _renew(self, place, here):
-        """Update the contact stiffness for the current angles, and the components of the moment
-        that do work on the tilts for the current axis of the ring."""
+        """Update the contact stiffness for the current contact angles, and the components of the
+        moment that do work on the tilts for the current axis of the ring."""
         self._bend(self.angles(here.touch))
         if self.finite_shift:
             tilt = (place / self.metres)[3:]
@@ -227,8 +227,8 @@ class Balance:
         return result
 
     def _moved(self, place, here, step):
-        """Return (position, `Here`) after a fraction of `step` that reduces the energy or the
-        residual force; both are unchanged if no fraction does."""
+        """Return (position, `Here`) after the largest tried fraction of `step` that reduces the
+        energy or the residual force, or unchanged if no fraction does."""
         slope, part = here.gradient[self.free] @ step, 1.0
         size = np.linalg.norm(here.gradient[self.free])
         for _ in range(50):

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Motion of a ball that is in contact with more grooves than it can roll on.
+"""Motion of a ball that touches more grooves than it can roll on.
 
-The rotation of a ball has components (radial, axial) in the plane through the bearing's axis, and
-its centre orbits. Sliding and spin at its contacts are linear functions of these three speeds.
-Under Coulomb's law, forces and moments on the ball are in equilibrium where the total power loss of
-all contacts is smallest. The spin moment is computed in closed form. The power is then piecewise
-linear, so that at its minimum three of the terms vanish.
+The rotation of a ball has two components (radial, axial) in the plane through the bearing's axis,
+and its centre orbits. The sliding and spin speeds at its contacts are linear functions of these
+three speeds. Under Coulomb's law, the forces and moments on the ball are in equilibrium where the
+total power loss of all contacts is smallest. The spin moment is computed in closed form. The power
+is then piecewise linear, so three of its terms vanish at the minimum.
 """
 
 from itertools import combinations
@@ -21,10 +21,10 @@ from raceway.theory.static import Equilibrium
 def rates(
     bearing: Bearing, raceways: Floats, angle: Floats, ring: float
 ) -> tuple[Floats, Floats, Floats]:
-    """Return (lines (2 C, 3), goal (2 C,), ring speeds (C,)) for the C contacts of a ball on
+    """Return (lines (2 C, 3), goal (2 C,), ring speeds (C,)) for the C contacts of a ball with
     `raceways` at the contact angles `angle` (rad). `lines` times the motion of the ball minus
-    `goal` is the speed of the ball relative to the ring at each contact in m/s, followed by its
-    spin at each contact in rad/s.
+    `goal` gives, for each contact, the speed of the ball relative to the ring in m/s, followed by
+    the spin at each contact in rad/s.
 
     The motion consists of the rotation (radial, axial) in rad/s and the speed of the centre in m/s.
     The inner ring turns at `ring` rad/s; the ring speeds are surface speeds in m/s.

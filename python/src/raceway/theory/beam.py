@@ -65,7 +65,7 @@ def shear_coefficient(section: Section, poisson: float) -> float:
 
 
 def softness(section: Section, steel: Steel = STEEL) -> float:
-    """Return the ratio of the shear displacement to the bending displacement of an element that is
+    """Return the ratio of shear displacement to bending displacement for an element that is
     clamped at one end and guided at the other."""
     modulus = steel.young / (2 * (1 + steel.poisson))
     shear = shear_coefficient(section, steel.poisson) * area(section) * modulus
@@ -96,8 +96,8 @@ def element(section: Section, steel: Steel = STEEL) -> Floats:
 
 
 def divided(sections: Sequence[Section], places: Sequence[float]) -> tuple[Floats, list[Section]]:
-    """Return (z of the nodes in m, elements between them); there are nodes at the ends of the
-    sections and at `places` (m). Raises `ValueError` for a position off the shaft."""
+    """Return (z of the nodes in m, elements between them). There are nodes at the ends of the
+    sections and at `places` (m). Raises `ValueError` if one of the `places` is off the shaft."""
     ends = np.concatenate([[0.0], np.cumsum([one.length for one in sections])])
     if off := [place for place in places if not 0 <= place <= ends[-1] * (1 + 1e-12)]:
         raise ValueError(f"{off[0]:g} m is not on the shaft, which reaches from 0 to {ends[-1]:g}")
@@ -110,8 +110,8 @@ def divided(sections: Sequence[Section], places: Sequence[float]) -> tuple[Float
 
 
 def stiffness(pieces: Sequence[Section], steel: Steel = STEEL) -> Floats:
-    """Return the stiffness (5 N, 5 N) of N - 1 elements in series, ordered by node, then x, y, z,
-    rx, ry."""
+    """Return the stiffness (5 N, 5 N) of N - 1 elements in series. The degrees of freedom are
+    ordered by node and, within a node, as x, y, z, rx, ry."""
     whole = np.zeros((FREEDOMS * (len(pieces) + 1),) * 2)
     for k, piece in enumerate(pieces):
         at = slice(FREEDOMS * k, FREEDOMS * (k + 2))
@@ -120,8 +120,8 @@ def stiffness(pieces: Sequence[Section], steel: Steel = STEEL) -> Floats:
 
 
 def weight(pieces: Sequence[Section], gravity: Floats, steel: Steel = STEEL) -> Floats:
-    """Return the loads (5 N,) due to the shaft's own weight under `gravity` (3,) in m/s^2,
-    including the moments of a uniform load at the ends of an element."""
+    """Return the loads (5 N,) due to the shaft's own weight under `gravity` (3,) in m/s^2. They
+    include the moments that a uniform load exerts at the ends of an element."""
     loads = np.zeros(FREEDOMS * (len(pieces) + 1))
     for k, piece in enumerate(pieces):
         per_length = steel.density * area(piece) * np.asarray(gravity, float)

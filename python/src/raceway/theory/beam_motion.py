@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Inertia of a beam (`beam`), and its reduction to a few coordinates.
+"""Inertia of a `beam`, and reduction of its matrices to a few coordinates.
 
 The mass and gyroscopic matrices are consistent with Timoshenko's element (Przemieniecki, Theory of
 Matrix Structural Analysis, 1968, ch. 11; Friswell et al., Dynamics of Rotating Machines, 2010, ch.
-5). The reduction follows Craig and Bampton (AIAA J. 6 (1968) 1313): some nodes are kept, and the
-other nodes follow them and vibrate in the modes that the shaft has with the kept nodes held.
+5). The reduction follows Craig and Bampton (AIAA J. 6 (1968) 1313): some nodes are kept; the other
+nodes follow them and, in addition, vibrate in the modes of the shaft with the kept nodes held.
 """
 
 from collections.abc import Sequence
@@ -45,8 +45,8 @@ class Rigid(NamedTuple):
 
 
 def _planes(section: Section, steel: Steel) -> tuple[Floats, Floats]:
-    """Return the mass matrices (4, 4) of an element in one plane: (for displacements, for tilts,
-    i.e. for rotation about a diameter)."""
+    """Return the mass matrices (4, 4) of an element in one plane: one for displacements and one for
+    tilts, i.e. for rotation about a diameter."""
     length, soft = section.length, beam.softness(section, steel)
     one = steel.density * beam.area(section) * length / (1 + soft) ** 2
     a = 13 / 35 + 7 * soft / 10 + soft**2 / 3
@@ -65,8 +65,8 @@ def _planes(section: Section, steel: Steel) -> tuple[Floats, Floats]:
 
 
 def _element(section: Section, steel: Steel) -> tuple[Floats, Floats]:
-    """Return (mass (10, 10), gyroscopic matrix (10, 10) at 1 rad/s) of an element between two
-    nodes."""
+    """Return the mass matrix (10, 10) of an element between two nodes, and its gyroscopic matrix
+    (10, 10) at 1 rad/s."""
     moved, tilted = _planes(section, steel)
     mass = np.zeros((2 * FREEDOMS, 2 * FREEDOMS))
     picks = []
@@ -78,7 +78,7 @@ def _element(section: Section, steel: Steel) -> tuple[Floats, Floats]:
         mass += pick.T @ (moved + tilted) @ pick
     axial = steel.density * beam.area(section) * section.length / 6
     mass[np.ix_([2, 7], [2, 7])] += axial * np.array([[2, 1], [1, 2]])
-    # the polar inertia is twice the diametral one; rx is minus the slope in its plane
+    # the polar inertia is twice the diametral one, and rx is minus the slope in its plane
     across = -2 * picks[1].T @ tilted @ picks[0]
     return mass, across - across.T
 
@@ -132,10 +132,10 @@ def rigid(z: Floats, whole: Matrices) -> Rigid:
 
 
 def reduced(whole: Matrices, kept: Sequence[int], modes: int) -> Reduced:
-    """Reduce `whole` to the nodes `kept` and the lowest `modes` of the other nodes.
+    """Reduce `whole` to the nodes `kept` and to the lowest `modes` of the other nodes.
 
-    The coordinate of a mode is its largest displacement (m). Raises `ValueError` if there are more
-    modes than degrees of freedom at the other nodes."""
+    The coordinate of a mode is its largest displacement in m. Raises `ValueError` if more modes are
+    requested than the other nodes have degrees of freedom."""
     import scipy.linalg
 
     n = len(whole.mass)
@@ -164,8 +164,8 @@ def reduced(whole: Matrices, kept: Sequence[int], modes: int) -> Reduced:
 
 
 def frequencies(whole: Matrices | Reduced, springs: Floats, speed: float = 0.0) -> Floats:
-    """Return the natural frequencies (n,) in rad/s, in ascending order, on `springs` (n, n); they
-    are 0 for free motions.
+    """Return the natural frequencies (n,) in rad/s on `springs` (n, n), in ascending order. Motions
+    that no spring restrains have the frequency 0.
 
     >>> z, pieces = beam.divided([Section(0.1, 0.04)] * 12, [])
     >>> ends = np.zeros(5 * len(z))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Geometry and material of one bearing.
 
-A raceway is a groove with the shape of a torus. The centres of curvature of its cross-sections lie
-on a circle about the ring's axis, whose radius is R_i + r_ci for the inner ring and R_e - r_co (+
-P_d/2 if there is a diametral clearance) for the outer ring. A `Layout` gives each ring several
-grooves, for one or more rows of balls, as in four-point contact and double-row bearings.
+A raceway is a groove in the shape of a torus. The centres of curvature of its cross-sections lie on
+a circle about the ring's axis. The radius of this circle is R_i + r_ci for the inner ring and R_e -
+r_co (+ P_d/2 if there is a diametral clearance) for the outer ring. A `Layout` gives each ring
+several grooves, for one or more rows of balls, as in four-point contact and double-row bearings.
 """
 
 import warnings
@@ -26,7 +26,7 @@ class DoubleRow(NamedTuple):
     """Two adjacent rows of a bearing; loads act at the point midway between them."""
 
     spacing: float  # m, distance between the planes of the balls
-    # m, distance that each row is pushed along the axis after first contact
+    # m, distance by which each row is pushed along the axis beyond first contact
     preload: float = 0.0
     arrangement: str = "back_to_back"  # one of `ARRANGEMENTS`
 
@@ -37,7 +37,7 @@ class Layout:
     there is one row with one groove per ring."""
 
     rows: tuple[float, ...] = (0.0,)  # planes of the balls, relative to the outer ring
-    # m, centres of curvature, by row and groove
+    # m, axial positions of the centres of curvature; one tuple per row, with one value per groove
     inner: tuple[tuple[float, ...], ...] = ((0.0,),)
     outer: tuple[tuple[float, ...], ...] = ((0.0,),)
 
@@ -55,8 +55,8 @@ class Layout:
 
 @dataclass(frozen=True)
 class Bearing:
-    """A ball bearing, with lengths in m and `young` in Pa. `balls` is the number per row.
-    `outer_radius` is the radius without clearance.
+    """A ball bearing, with lengths in m and `young` in Pa. `balls` is the number of balls in each
+    row, and `outer_radius` is the radius without clearance.
 
     Raises `ValueError` if a size is not positive or a groove is not wider than its ball, and warns
     if a size appears to be in millimetres.
@@ -118,11 +118,11 @@ class Bearing:
 
     def four_point(self, angle: float) -> "Bearing":
         """Return the four-point contact bearing with the same balls, pitch and groove radii. Each
-        ring has two grooves, of which the one at -z comes first, and centred balls touch them at
-        `angle` (rad). The clearance is then that of a centred ball.
+        ring has two grooves, the one at -z first, and centred balls touch them at `angle` (rad).
+        The clearance is then that of a centred ball.
 
-        Raises `ValueError` if the angle is not between 0 and a right angle, or if the bearing
-        already has several grooves per ring.
+        Raises `ValueError` if the angle is not between 0 and a right angle, or if a ring already
+        has several grooves.
 
         >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
         >>> [round(1e6 * z, 1) for z in b.four_point(0.61).layout.inner[0]]  # um
@@ -144,8 +144,8 @@ class Bearing:
         )
 
     def double_row(self, rows: DoubleRow, angle: float = 0.0) -> "Bearing":
-        """Return the bearing with two `rows` of these balls, which touch at the free contact
-        `angle` (rad), 0 for deep grooves.
+        """Return the bearing with two `rows` of these balls, whose free contact angle is `angle`
+        (rad); it is 0 for deep grooves.
 
         Raises `ValueError` if the arrangement is not in `ARRANGEMENTS`, if the rows overlap, or if
         the bearing already has two rows.
@@ -213,7 +213,7 @@ class Bearing:
 
     def groove_gap(self, raceway: int) -> float:
         """Return r_c - R_b in m, the distance between the centre of a ball that just touches the
-        groove and the groove's centre of curvature."""
+        groove and the centre of curvature of the groove."""
         return self.groove(raceway) - self.ball_radius
 
     def arch(self, raceway: int) -> float:
@@ -223,7 +223,7 @@ class Bearing:
         return (by_row[0][-1] - by_row[0][0]) / 2
 
     def groove_circle(self, raceway: int, clearance: float = 0.0) -> float:
-        """Return the radius in m of the circle of centres of curvature; the clearance is assigned
+        """Return the radius in m of the circle of centres of curvature. The clearance is assigned
         entirely to the outer groove."""
         if raceway == INNER:
             return self.inner_radius + self.inner_groove
@@ -232,14 +232,14 @@ class Bearing:
     def effective_radii(
         self, raceway: int, angle: Numbers = 0.0, clearance: float = 0.0
     ) -> tuple[Numbers, Numbers]:
-        """Return (R_x along rolling, R_y across the groove) in m, with the shape of the contact
-        angle `angle` (rad).
+        """Return (R_x along rolling, R_y across the groove) in m, for the geometry of a contact at
+        the contact angle `angle` (rad).
 
         With gamma = R_b cos(angle)/r_pitch, R_x is R_b (1 - gamma) for the inner and R_b (1 +
         gamma) for the outer raceway (eq 2, Harris 2.28).
         """
         inner = raceway == INNER
-        # pitch radius of a ball that rests on this raceway; clearance is assigned to the outer ring
+        # pitch radius of a ball resting on this raceway; the outer groove has all the clearance
         pitch = self.pitch_radius + (0.0 if inner else clearance / 2)
         return tuple(
             laws.effective_radii(

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Power dissipated by a cage that is one rigid ring (fix bearing/cage/ring). Only the losses with a
-closed-form solution are included: shear of the oil in the pockets, the film at the guiding land,
-and churning. Friction between balls and pockets depends on the forces in a run and is not
+"""Power dissipated by a cage that is one rigid ring (fix bearing/cage/ring). Only losses with a
+closed-form solution are included, i.e. shear of the oil in the pockets, the film at the guiding
+land, and churning. Friction between balls and pockets depends on the forces in a run and is not
 included."""
 
 import math
@@ -20,9 +20,8 @@ class CageRing(NamedTuple):
     play: float = 0.0  # m, play of the pockets along the pitch circle; 0: estimated
     # fraction of the gaps that is filled with oil
     filled: float = float(variable_table.default("cage_filled"))
-    # m: radius of the guiding land, radial clearance, total width of both lands; None if the cage
-    # is
-    # guided by the balls
+    # radius of the guiding land, radial clearance and total width of both lands, all in m; None if
+    # the cage is guided by the balls
     land: tuple[float, float, float] | None = None
     inner: bool = False  # True if the land is on the inner ring
     without: frozenset[str] = frozenset()  # losses to leave out: shear, land, churning
@@ -37,13 +36,13 @@ def power(
     orbit: float,
     angle: float = 0.0,
 ) -> float:
-    """Return the power dissipated in all rows in W. The inner ring turns at `ring` rad/s and the
+    """Return the power in W dissipated in all rows. The inner ring turns at `ring` rad/s and the
     cage at `orbit` rad/s; `share` is the volume fraction of oil around the balls, and `angle` is
     the mean contact angle in rad.
 
-    In its pocket a ball turns about the bearing's axis, tilted by the contact angle; the oil's
-    resistance to rotation about the axis of the pocket is twice as large. A cage that is guided by
-    a land is assumed to be centred.
+    In its pocket, a ball turns about the bearing's axis, tilted by the contact angle. The oil
+    resists rotation about the axis of the pocket twice as strongly. A cage that is guided by a land
+    is assumed to be centred.
     """
     oil, radius = fluid.viscosity, bearing.ball_radius
     lost = 0.0

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Cage speed from statics, accurate enough (1e-4) for comparison with a measured spectral line.
 
-`kinematics.frequencies` assumes a single contact angle. Here, three effects are added. The contact
-angles at the two raceways differ because of the centrifugal load. The axis about which a ball
-rotates then affects the speed. In a curved groove, a ball rolls without sliding along two lines of
-its contact ellipse (Heathcote), not at the bottom of the groove.
+`kinematics.frequencies` assumes a single contact angle. This module adds three effects. First, the
+contact angles at the two raceways differ because of the centrifugal load. Second, the speed then
+depends on the axis about which a ball rotates. Third, in a curved groove a ball rolls without
+sliding along two lines of its contact ellipse (Heathcote), not at the bottom of the groove.
 """
 
 import math
@@ -18,32 +18,33 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.models import STATICS
 from raceway.theory.static import Equilibrium
 
-# One standard deviation, relative to the order: rolling resistance and drag slow the balls by up to
+# One standard deviation, relative to the order. Rolling resistance and drag slow the balls by up to
 # 1e-4 if all of them are loaded (tests/hosts/test_identify.py compares this with runs)
 ERROR = 1e-4
 # Play of a pocket along the pitch circle, as a fraction of the ball diameter (docs/cage)
 PLAYS = (0.01, 0.04)
 PLAY = PLAYS[1]
-# Slip of a cage with play j, divided by j/(length of the loaded arc), in the two extreme cases: its
-# weight makes it hang towards the load, or its driving ball lifts it off; 1 if centred (docs/cage)
+# Slip of a cage with play j, divided by j/(length of the loaded arc), in the two extreme cases. The
+# cage hangs towards the load by its weight, or its driving ball lifts it off; 1 if it is centred
+# (docs/cage)
 SLIPS = (-1.1, 2.2)
 
 
 def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
     """Return the ratio of cage speed to inner ring speed at an equilibrium `state` with the outer
-    ring at rest. This is a load-weighted mean over all balls. Raises `ValueError` for unknown
-    models.
+    ring at rest, as a load-weighted mean over all balls. Raises `ValueError` for unknown models.
 
     Each ball rolls at both contacts (Harris, Rolling Bearing Analysis, ch. 10)::
 
         w_c/w = A/(A + B),  A = (1 - g cos a_i)(cos a_o + tan b sin a_o),
                             B = (1 + g cos a_o)(cos a_i + tan b sin a_i)
 
-    where g is the ratio of ball diameter to pitch diameter. With models paper, the angle b of the
-    ball's axis is 0, because nothing tilts that axis relative to the bearing's axis. Otherwise b is
-    half the sum of both contact angles, for which the spin dissipates the same power at both
-    contacts. Differential slip then adds a fraction (1 - w_c/w)(e_i - e_o), with e = 0.1206 a^2/(2
-    R_d R_x), where a is the semi-axis of the ellipse across the groove.
+    where g is the ratio of ball diameter to pitch diameter, and b is the angle of the axis about
+    which the ball rotates. With models paper, b is 0, because nothing tilts that axis relative to
+    the bearing's axis. Otherwise b is half the sum of both contact angles, for which spin
+    dissipates the same power at both contacts. Differential slip then adds a fraction (1 - w_c/w)
+    (e_i - e_o), with e = 0.1206 a^2/(2 R_d R_x), where a is the semi-axis of the ellipse across the
+    groove.
 
     >>> from raceway.theory import static
     >>> b = Bearing(9, 7.94e-3, 15.55e-3, 23.49e-3, 4.0891e-3, 4.1685e-3)
@@ -58,10 +59,10 @@ def ball_order(bearing: Bearing, state: Equilibrium, models: str = "full") -> fl
     """Return the rotation of a ball relative to the cage (BSF), in orders of the inner ring's
     speed; the arguments are as in `order`.
 
-    A ball rolls on the outer raceway about its axis at the angle b, which is half the sum of both
-    contact angles: w_b/w_c = (1 + g cos a_o)/(g cos(b - a_o)). This value is also used with models
-    paper, in which the ball's axis does not tilt. Differential slip adds a fraction (1 - w_c/w) e_i
-    + w_c/w e_o, because both rings are slower than the surface of the ball.
+    A ball rolls on the outer raceway about an axis at the angle b, which is half the sum of both
+    contact angles: w_b/w_c = (1 + g cos a_o)/(g cos(b - a_o)). This formula is also used with
+    models paper, in which the ball's axis does not tilt. Differential slip adds a fraction (1 -
+    w_c/w) e_i + w_c/w e_o, because both rings are slower than the surface of the ball.
 
     >>> from raceway.theory import static
     >>> b = Bearing(9, 7.94e-3, 15.55e-3, 23.49e-3, 4.0891e-3, 4.1685e-3)
@@ -73,7 +74,7 @@ def ball_order(bearing: Bearing, state: Equilibrium, models: str = "full") -> fl
 
 
 def _mean(bearing, state, models, of):
-    """Return the load-weighted mean of `of` over all balls."""
+    """Return the load-weighted mean over all balls of the values that `of` computes."""
     if models not in STATICS:
         raise ValueError(f"models '{models}' is not one of {', '.join(STATICS)}")
     inner, outer = (Rolling(side.load, side.angle, side.a) for side in (state.inner, state.outer))
@@ -106,8 +107,8 @@ class Rolling(NamedTuple):
 
 
 def rolling(bearing: Bearing, inner: Rolling, outer: Rolling, *, tilted: bool) -> Floats:
-    """Return w_c/w of `order` for each ball, without differential slip. If `tilted`, the angle b is
-    half the sum of both contact angles, otherwise 0."""
+    """Return w_c/w of `order` for each ball, without differential slip. The angle b is half the
+    sum of both contact angles if `tilted` is true, and 0 otherwise."""
     gamma = bearing.ball_radius / bearing.pitch_radius
     tilt = np.tan((inner.angle + outer.angle) / 2) if tilted else 0.0
     there = _along(outer.angle, tilt) * (1 - gamma * np.cos(inner.angle))
@@ -137,11 +138,11 @@ def _along(angle: Floats, tilt: Floats | float) -> Floats:
 
 
 def lags(bearing: Bearing, state: Equilibrium) -> tuple[float, float]:
-    """Return the least and the largest slip of a cage due to pocket play (`slips_of_play`), as
-    fractions of its speed; both are 0 if all balls are loaded.
+    """Return the smallest and the largest slip of a cage due to pocket play (`slips_of_play`), as
+    fractions of the cage speed. Both are 0 if all balls are loaded.
 
-    The arc spans the loaded balls. The play is assumed to be `PLAY` ball diameters, because makers
-    seldom state it.
+    The loaded arc spans the loaded balls. The play is assumed to be `PLAY` ball diameters, because
+    makers seldom state it.
     """
     loaded = int(np.count_nonzero(np.atleast_2d(state.inner.load > 0).any(0)))
     if loaded >= len(state.azimuth) or not loaded:
@@ -151,8 +152,8 @@ def lags(bearing: Bearing, state: Equilibrium) -> tuple[float, float]:
 
 
 def slips_of_play(play: float, arc: float) -> tuple[float, float]:
-    """Return the least and the largest slip of a rigid cage in any position. `play` is the play of
-    its pockets along the pitch circle (m), and `arc` is the length of the part of that circle on
+    """Return the smallest and the largest slip of a rigid cage in any position. `play` is the play
+    of its pockets along the pitch circle (m), and `arc` is the length of the part of that circle on
     which balls are loaded (m).
 
     Unloaded balls fall back to the rear of their pockets, while loaded balls run ahead to the

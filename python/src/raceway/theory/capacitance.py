@@ -12,13 +12,14 @@ PERMITTIVITY_AT = ("maximum", "mean", "two_thirds")
 
 
 def density_ratio(pressure: Numbers) -> Numbers:
-    """Return rho/rho_0 of a lubricant under `pressure` in Pa (eq 11, Dowson-Higginson)."""
+    """Return the relative density rho/rho_0 of a lubricant under `pressure` in Pa (eq 11,
+    Dowson-Higginson)."""
     return laws.density_ratio(pressure)
 
 
 def permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
-    """Return the relative permittivity under `pressure` in Pa of an oil whose permittivity at
-    ambient pressure is `ambient` (eqs 10, 11).
+    """Return the relative permittivity of an oil under `pressure` in Pa, where `ambient` is its
+    permittivity at ambient pressure (eqs 10, 11).
 
     According to Clausius-Mossotti, (e - 1)/(e + 2) is proportional to the density. Raises
     `ValueError` if `ambient` is below one, or so large that no finite permittivity results.
@@ -32,8 +33,8 @@ def permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
 
 
 def mean_permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
-    """Return the mean of `permittivity` over the area of a Hertz ellipse whose largest pressure is
-    `pressure` in Pa. Raises `ValueError` like `permittivity`.
+    """Return the mean of `permittivity` over the area of a Hertz ellipse in which the largest
+    pressure is `pressure` in Pa. Raises `ValueError` like `permittivity`.
 
     >>> print(f"{mean_permittivity(2.2, 1.5e9):.3f}, at its largest {permittivity(2.2, 1.5e9):.3f}")
     2.578, at its largest 2.654
@@ -55,13 +56,14 @@ def film_permittivity(ambient: Numbers, pressure: Numbers, at: str = "maximum") 
 
 
 def contact(ambient: Numbers, pressure: Numbers, a: Numbers, b: Numbers, h_c: Numbers) -> Numbers:
-    """Return eps_0 eps_r(p) pi a b/h_c of one contact; `pressure` in Pa, lengths in m (eq 8)."""
+    """Return the capacitance eps_0 eps_r(p) pi a b/h_c of one contact in F (eq 8). `pressure` is in
+    Pa, and lengths are in m."""
     return laws.contact_capacitance(permittivity(ambient, pressure), a, b, h_c)
 
 
 def ball(inner: ArrayLike, outer: ArrayLike) -> Numbers:
-    """Return the capacitance in F of inner and outer contact in series, which is zero if either is
-    zero (eq 12). Arrays must have the same shape.
+    """Return the capacitance in F of an inner and an outer contact in series, which is zero if
+    either capacitance is zero (eq 12). The arrays must have the same shape.
 
     >>> ball([3e-10, 3e-10], [6e-10, 0.0]).tolist()
     [2e-10, 0.0]
@@ -70,7 +72,7 @@ def ball(inner: ArrayLike, outer: ArrayLike) -> Numbers:
 
 
 def bearing(inner: ArrayLike, outer: ArrayLike, background: float = 0.0) -> Numbers:
-    """Return the capacitance in F of all balls (last axis) in parallel (eq 12), plus
+    """Return the capacitance in F of all balls (the last axis) in parallel (eq 12), plus
     `background`."""
     return np.sum(ball(inner, outer), axis=-1) + background
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The gap around a ball as a capacitor, computed with the integral I = integral of dA/(h + g) in m.
-This is the reference for `capacitance_outside` and takes a few milliseconds per contact.
+"""Capacitance of the gap around a ball, computed from the integral I = integral of dA/(h + g) in m.
+It is the reference for `capacitance_outside` and takes a few milliseconds per contact.
 
 The gap g around a loaded contact is the exact Hertz gap (Carlson's integrals, DLMF 19.16; Johnson
 1985, ch. 4; see docs/electric for the derivation). The coordinates are in the plane of the contact:
@@ -19,8 +19,8 @@ from raceway.theory.bearing import INNER, Bearing
 from raceway.theory.groove_width import shoulder_angle
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
-# in e-folds of the distance from an edge: first and last point and step size along x, and depth and
-# width of the panels along y
+# all in e-folds of the distance from an edge: first point, last point and step size along x; depth
+# and width of the panels along y
 NEAR, FAR, STEP = -22.0, 22.0, 0.4
 DEEP, PANEL = 25.0, 2.5
 
@@ -37,8 +37,8 @@ class Hertz(NamedTuple):
 
 
 def contact(r_x: float, r_y: float, modulus: float, load: float) -> Hertz:
-    """Compute the `Hertz` contact for effective radii in m under a load in N, with E' = `modulus`
-    in Pa. Raises `ValueError` if the load is not positive."""
+    """Compute the `Hertz` contact of surfaces with the given effective radii in m under a load in
+    N, with E' = `modulus` in Pa. Raises `ValueError` if the load is not positive."""
     if not load > 0:
         raise ValueError(f"load = {load} N must be positive")
     ellipse = hertz.exact(r_x, r_y)
@@ -49,8 +49,8 @@ def contact(r_x: float, r_y: float, modulus: float, load: float) -> Hertz:
 
 
 def gap(one: Hertz, x: ArrayLike, y: ArrayLike) -> Numbers:
-    """Return the gap g in m at (x along rolling, y across) from the centre, which is zero inside
-    the ellipse; x and y are broadcast.
+    """Return the gap g in m at the distances x along rolling and y across the groove from the
+    centre. The gap is zero inside the ellipse. x and y are broadcast.
 
     >>> one = contact(4.990476e-3, 163.8e-3, 210e9 / 0.91, 120.0)
     >>> print(f"{1e9 * gap(one, 2 * one.b, 0.0):.0f} nm, {1e9 * gap(one, 0.0, 2 * one.a):.0f} nm")
@@ -62,8 +62,8 @@ def gap(one: Hertz, x: ArrayLike, y: ArrayLike) -> Numbers:
 
 
 def _gap(one, x, y, beyond):
-    """Return the gap at (x, y). `beyond` = a^2 x^2 + b^2 y^2 - a^2 b^2 is a separate argument
-    because a difference of squares is inaccurate near the ellipse."""
+    """Return the gap at (x, y). `beyond` = a^2 x^2 + b^2 y^2 - a^2 b^2 is passed separately because
+    the difference of squares would be inaccurate near the ellipse."""
     aa, bb, xx, yy = one.a**2, one.b**2, x * x, y * y
     half = (aa + bb - xx - yy) / 2
     root = np.sqrt(half * half + beyond)
@@ -81,8 +81,8 @@ def _gap(one, x, y, beyond):
 def parabola(
     r_x: float, r_y: float, modulus: float, load: float, separation: ArrayLike, width: float
 ) -> Numbers:
-    """Return I in m around the ellipse, for a groove approximated by a parabola up to y = ± `width`
-    (m); I has the shape of `separation` h (m). The gap is computed only once for all separations.
+    """Return I in m around the ellipse for each `separation` h (m). The groove is approximated by a
+    parabola up to y = ± `width` (m). The gap is computed only once for all separations.
 
     Raises `ValueError` if the load is not positive.
 
@@ -106,12 +106,12 @@ def arc(
     depth: float,
     angle: float = 0.0,
 ) -> Numbers:
-    """Return I in m around the ellipse in a circular groove of depth `depth` (m) at the contact
-    angle `angle` (rad), with the shape of `separation` (m).
+    """Return I in m around the ellipse for each `separation` (m), in a circular groove of depth
+    `depth` (m) at the contact angle `angle` (rad).
 
-    Within the width of the ellipse, the gap is the same as in `parabola`. Beyond it, the difference
-    between the gaps of the arc and the parabola is added, and the radius along rolling follows the
-    raceway. Raises `ValueError` if the load is not positive.
+    Within the width of the ellipse, the gap is the same as in `parabola`. Beyond it, the gap is
+    corrected by the difference between the arc and the parabola, and the radius along rolling
+    follows the raceway. Raises `ValueError` if the load is not positive.
     """
     r_x, r_y = (float(value) for value in bearing.effective_radii(raceway, angle))
     one = contact(r_x, r_y, bearing.effective_modulus, load)
@@ -139,9 +139,8 @@ def arc(
 def rigid_arc(
     bearing: Bearing, raceway: int, separation: ArrayLike, depth: float, angle: float = 0.0
 ) -> Numbers:
-    """Return I in m for an unloaded ball at `separation` (m) from the bottom of a circular groove
-    of depth `depth` (m), with the shape of `separation`. For two eccentric cylinders, the result is
-    accurate to 6e-5."""
+    """Return I in m for an unloaded ball at each `separation` (m) from the bottom of a circular
+    groove of depth `depth` (m). For two eccentric cylinders, the result is accurate to 6e-5."""
     gaps = np.atleast_1d(np.asarray(separation, float))
     total = np.zeros(gaps.shape)
     for place, g0 in np.ndenumerate(gaps):
@@ -156,11 +155,11 @@ def rigid_arc(
 
 
 def beside(ratio: ArrayLike) -> Numbers:
-    """Return G(H) of `capacitance_outside.beside` from its integral, by integrating strips of a
-    line contact across the ellipse."""
+    """Return G(H) of `capacitance_outside.beside` by numerical integration over strips of a line
+    contact across the ellipse."""
     ratio = np.atleast_1d(np.asarray(ratio, float))
     y, weight = _inward(1.0, 1.0)
-    xi = np.exp(np.arange(NEAR, FAR, STEP))  # beyond one
+    xi = np.exp(np.arange(NEAR, FAR, STEP))  # the lower limit is one
     line = (1 + xi) * np.sqrt(xi * (2 + xi)) - np.log1p(xi + np.sqrt(xi * (2 + xi)))
     height = ratio[:, None] / (1 - y * y)
     strip = STEP * np.sum(xi / (height[..., None] + line), axis=-1)
@@ -169,7 +168,7 @@ def beside(ratio: ArrayLike) -> Numbers:
 
 def _arc_gap(bearing, raceway, g0, psi):
     """Return the distance from ball to groove along a ray at the angle `psi` from the centre of the
-    ball; it is g0 at the bottom."""
+    ball. At the bottom of the groove the distance is g0."""
     groove, radius = bearing.groove(raceway), bearing.ball_radius
     c = groove - radius - g0
     return np.sqrt(groove**2 - (c * np.sin(psi)) ** 2) - c * np.cos(psi) - radius
@@ -202,7 +201,7 @@ def _strips(one, y, weight, separation, bend=0.0, turned=0.0):
 
 
 def _panels(length, last):
-    """Return nodes and weights for distances that decrease from `length` by at least `last`
+    """Return nodes and weights for distances that decrease from `length` over at least `last`
     e-folds."""
     count = int(np.ceil(last / PANEL))
     width = last / count
@@ -213,7 +212,7 @@ def _panels(length, last):
 
 
 def _inward(a, reach) -> tuple[Floats, Floats]:
-    """Return (y, weights) from 0 to `reach`, which is at most a; the nodes are denser towards a."""
+    """Return (y, weights) from 0 to `reach`, at most a, with nodes that are denser towards a."""
     away, weight = _panels(a, DEEP)
     if reach < a:  # the groove ends within the ellipse
         half = reach / 2
@@ -222,6 +221,6 @@ def _inward(a, reach) -> tuple[Floats, Floats]:
 
 
 def _outward(a, reach) -> tuple[Floats, Floats]:
-    """Return (y, weights) from a to `reach`; the nodes are denser towards a."""
+    """Return (y, weights) from a to `reach`, with nodes that are denser towards a."""
     away, weight = _panels(reach - a, DEEP)
     return a + away, weight

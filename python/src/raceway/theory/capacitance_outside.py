@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Closed-form capacitance of the gap around the contact patch, expressed by I = integral of dA/(h +
-g) in m over the gap outside the patch. The capacitance is eps_0 eps I.
+"""Closed-form capacitance of the gap around the contact patch, expressed in terms of I = integral
+of dA/(h + g) in m over the gap outside the patch. The capacitance is eps_0 eps I.
 
 Functions accept numbers or arrays of equal shape in SI units. All formulas are derived in
 docs/electric; `capacitance_exact` evaluates the corresponding integrals numerically.
@@ -14,12 +14,13 @@ from raceway.theory import hertz
 from raceway.theory.groove_width import HalfWidths
 
 FILLS = ("flooded", "cavitated", "dry")
-SMALLEST_KAPPA = 1.0  # the fits in `beside` and `beyond` are for ellipses that are longer across
+SMALLEST_KAPPA = 1.0  # the fits in `beside` and `beyond` hold if a is at least b
 
 
 def beside(ratio: Numbers) -> Numbers:
-    """Return G(H) with H = h/g_s, which is I of the gap before and behind the ellipse divided by 2
-    a b/g_s. It is within 0.2 % of the integral (`capacitance_exact.beside`) for H from 1e-3 to 1e3.
+    """Return G(H) with H = h/g_s, where G is the integral I over the gap in front of and behind the
+    ellipse, divided by 2 a b/g_s. It agrees with `capacitance_exact.beside` within 0.2 % for H from
+    1e-3 to 1e3.
 
     >>> [round(float(beside(h)), 3) for h in (1e-3, 1.0, 1e3)]
     [33.802, 2.462, 0.098]
@@ -28,9 +29,9 @@ def beside(ratio: Numbers) -> Numbers:
 
 
 def beyond(ratio: Numbers, kappa: Numbers, reach: Numbers) -> Numbers:
-    """Return P, which describes the gap beyond one end of the ellipse: the integral of dy/sqrt(H +
-    E(y)) from 1 to `reach` = S/a, with y in units of a and H = h/g_s = `ratio`. P is zero if the
-    ellipse fills the groove."""
+    """Return P, which describes the gap beyond one end of the ellipse. P is the integral of
+    dy/sqrt(H + E(y)) from 1 to `reach` = S/a, with y in units of a and H = h/g_s = `ratio`. It is
+    zero if the ellipse fills the groove."""
     return laws.gap_beyond(ratio, kappa, reach)
 
 
@@ -45,9 +46,9 @@ def loaded(
     """Return I in m around a loaded contact, for E' = `modulus` in Pa, R_x in m, a load in N, the
     `separation` h_c in m and the `widths` of the groove.
 
-    I = 4 kappa E R (G + pi P sqrt(2 R_x g_s)/b), where P is the mean of both sides, and E and R are
-    taken from the `Ellipse`. Raises `ValueError` if the load or the separation is not positive, or
-    if the ellipse is longer along rolling than across.
+    I = 4 kappa E R (G + pi P sqrt(2 R_x g_s)/b), where P is the mean over both sides, and E and R
+    are those of the `Ellipse`. Raises `ValueError` if the load or the separation is not positive,
+    or if the ellipse is longer along rolling than across the groove.
 
     >>> one = hertz.exact(4.990476e-3, 163.8e-3)
     >>> width = HalfWidths(4.2e-3, 4.2e-3)
@@ -94,10 +95,10 @@ def rigid(
 def fill(permittivity: Numbers, kind: str = "flooded", outlet: float = 1.0) -> Numbers:
     """Return eps_s, the relative permittivity in the gap outside the contact patch.
 
-    For "flooded" it is the value of the oil, for "cavitated" the mean of the value of the oil and
-    `outlet`, the value of the medium in the downstream half (1 for air, more for foam), and for
-    "dry" it is 1. Raises `ValueError` for an unknown kind, or if the outlet is not between 1 and
-    the value of the oil.
+    For "flooded" it is the value of the oil; for "cavitated" it is the mean of the value of the oil
+    and `outlet`, the value of the medium in the downstream half (1 for air, more for foam); for
+    "dry" it is 1. Raises `ValueError` for an unknown kind, or if `outlet` is not between 1 and the
+    value of the oil.
     """
     if kind not in FILLS:
         raise ValueError(f"fill '{kind}' is not one of {', '.join(FILLS)}")

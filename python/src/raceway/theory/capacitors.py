@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Both gaps of every ball as capacitors: the contact patch and its surroundings for a loaded
-contact, and a rigid gap for an unloaded one. Arrays have one value per ball, in SI units. The
-formulas are derived in docs/electric.
+"""Both gaps of every ball as capacitors. At a loaded contact, the capacitor consists of the contact
+patch and its surroundings; at an unloaded contact, it is a rigid gap. Arrays have one value per
+ball, in SI units. The formulas are derived in docs/electric.
 
-A ball between the rings always has both capacitors. An unloaded ball rests on the outer raceway
-under its centrifugal load Q_u, and its play is the gap to the inner raceway.
+A ball between the rings always has both capacitors. An unloaded ball is pressed against the outer
+raceway by its centrifugal load Q_u, and its play is the gap to the inner raceway.
 """
 
 from collections.abc import Callable
@@ -52,21 +52,21 @@ class Capacitors(NamedTuple):
     """Capacitors at one raceway, in arrays (Z,) with one value per ball."""
 
     load: Floats  # N, load of the elastic contact; zero for a rigid gap
-    separation: Floats  # m: h_c, or the play of an unloaded ball
-    area: Floats  # m^2, of the Hertz ellipse
+    separation: Floats  # m, h_c or, for an unloaded ball, its play
+    area: Floats  # m^2, area of the Hertz ellipse
     plates: Floats  # F, capacitance of the Hertz ellipse; zero without load
     outside: Floats  # F, capacitance of the gap around the ellipse
-    paths: Floats  # m, resistivity over resistance for a uniform current through the oil
+    paths: Floats  # m, resistivity of the oil divided by the resistance of the gap
 
     @property
     def total(self) -> Floats:
-        """Plates and outside in parallel (Z,), in F."""
+        """Capacitance (Z,) in F of plates and outside in parallel."""
         return self.plates + self.outside
 
     @property
     def of_balls(self) -> "Capacitors":
-        """The grooves (grooves, Z) merged into one capacitor per ball (Z,): they are in parallel,
-        and the largest load and the thinnest film are kept."""
+        """The grooves (grooves, Z) of a raceway merged into one capacitor per ball (Z,). They are
+        in parallel; the result has the largest load and the thinnest film."""
         if self.load.ndim == 1:
             return self
         together = (np.max, np.min, *(np.sum,) * 4)
@@ -91,7 +91,7 @@ class BearingCapacitors(NamedTuple):
 
     @property
     def plates(self) -> float:
-        """Capacitance in F of the ellipses alone, without the balls that are unloaded on the inner
+        """Capacitance in F of the ellipses alone, excluding balls that are unloaded on the inner
         raceway (eq 12)."""
         loaded = self.inner.load > 0
         return float(np.sum(self.of_plates[loaded]))
@@ -109,7 +109,8 @@ class BearingCapacitors(NamedTuple):
 
 def quiet_load(bearing: Bearing, orbit: Numbers, density: float = 7850.0) -> Numbers:
     """Return the centrifugal load Q_u = m r omega^2 in N of a ball without other load, but at least
-    0.1 N. `orbit` is the cage speed in rad/s and `density` is in kg/m^3."""
+    0.1 N. `orbit` is the cage speed in rad/s, and `density` is the density of the ball in
+    kg/m^3."""
     mass = 4 / 3 * np.pi * bearing.ball_radius**3 * density
     return np.maximum(LEAST, mass * bearing.pitch_radius * np.square(orbit))[()]
 
@@ -151,7 +152,7 @@ def of_raceway(
 
     def shape(which):
         lean = angle[which]
-        if np.ptp(lean) == 0:  # the shape of one contact applies to all
+        if np.ptp(lean) == 0:  # all contacts have the same shape
             lean = lean[0]
         return lean, *bearing.effective_radii(raceway, lean, clearance)
 
@@ -196,8 +197,8 @@ def of_raceway(
 def separation(
     thickness: Callable[[Floats], Floats], load: ArrayLike, play: ArrayLike, quiet: float
 ) -> Floats:
-    """Return the separation of a gap in m, which is continuous when contact is lost and regained:
-    h_c at the larger of the load and Q_u = `quiet` (N), but at least the `play` (m; negative or
+    """Return the separation in m of a gap, which is continuous when contact is lost or regained. It
+    is h_c at the larger of the load and Q_u = `quiet` (N), but at least the `play` (m; negative or
     zero under load).
 
     `thickness` computes h_c in m from the contact loads in N. All arrays have the same shape.
@@ -222,10 +223,10 @@ def of_statics(
     """Compute the `BearingCapacitors` of an `Equilibrium` with rotating balls, for an inner ring at
     `speed` rad/s.
 
-    `quiet` is the `quiet_load` in N, which is the lower limit of the load on the outer film; two
-    grooves share it. `clearance` and `factor` are as in `lubrication.lubricate`; `scale` multiplies
-    the thickness of every film. Raises `ValueError` if the speed is zero, because there is no film
-    then.
+    `quiet` is the `quiet_load` in N, which is the lower limit of the load on the outer film; if the
+    outer ring has two grooves, they share it. `clearance` and `factor` are as in
+    `lubrication.lubricate`; `scale` multiplies the thickness of every film. Raises `ValueError` if
+    the speed is zero, because there is then no film.
     """
     if not speed:
         raise ValueError("speed = 0 rad/s: balls that do not turn have no film")

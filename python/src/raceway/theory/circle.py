@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Distances of balls from the circles of groove centres of an inner ring, and their derivatives.
+"""Distances of balls from the circles of groove centres of an inner ring, with their derivatives.
 
 The ring's position is (x, y, z, t_x, t_y), i.e. the displacement of its centre in m and the tilt
 about the two transverse axes in rad. Tilt rotates the ring's axis to e = (sin t_y, -sin t_x, ...),
 so that t_x and t_y are the values reported by `fix bearing/ring`. A ball's position is (radial,
 axial) in m in the plane through the outer ring's axis at the ball's azimuth. Derivatives are taken
-with respect to these seven coordinates, first those of the ball, then those of the ring. The shape
-... of the arrays is the shape to which `azimuth` and `height`, the heights of the circles, are
-broadcast.
+with respect to these seven coordinates, first those of the ball, then those of the ring. In shapes
+of arrays, ... stands for the shape to which `azimuth` and `height`, the axial positions of the
+circles, are broadcast.
 """
 
 from collections.abc import Callable
@@ -26,7 +26,7 @@ class Reach(NamedTuple):
     slope: Floats  # (..., 7), first derivatives of the distance
     # maps n to the second derivatives (..., n, n) with respect to the first n coordinates
     curve: Callable[[int], Floats]
-    # (..., 2), unit vector from the circle to the ball in the ring's own section (radial, axial)
+    # (..., 2), unit vector from the circle to the ball, in the axial section of the inner ring
     section: Floats
     line: Floats  # (..., 3), the same vector in space, i.e. the direction of the force on the ring
     arm: Floats  # (..., 3), m, from the ring's centre to a point on the line of action
@@ -108,9 +108,9 @@ def exact(
 
 
 def conjugate(moment: ArrayLike, tilt: Floats) -> Floats:
-    """Return the part (2,) of a moment (2,) or (3,) in N m, fixed in space, that does work on the
-    tilts (2,) in rad. The component along the ring's axis does no work, because the drive of the
-    ring takes it up."""
+    """Return the components (2,) of a moment (2,) or (3,) in N m, fixed in space, that do work on
+    the tilts (2,) in rad. The component along the ring's axis does no work, because the drive of
+    the ring takes it up."""
     axis, turn, _ = _axis(*tilt)
     return np.append(moment, 0.0)[:3] @ np.cross(axis, turn.T).T
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cleanliness of the lubricant for the rating life: the classes of ISO 281 and their values of
-e_C."""
+"""Cleanliness of the lubricant, as used for the rating life: the classes of ISO 281 and their
+values of e_C."""
 
 from collections.abc import Mapping
 
@@ -17,8 +17,8 @@ CLEANLINESS: Mapping[str, tuple[tuple[float, float], tuple[float, float]]] = {
 
 
 def contamination(cleanliness: str, pitch_diameter: float) -> float:
-    """Return e_C, the middle of the range for a class in `CLEANLINESS`; `pitch_diameter` is in m.
-    Raises `ValueError` for an unknown class."""
+    """Return e_C, taken as the middle of the range for a class in `CLEANLINESS`; `pitch_diameter`
+    is in m. Raises `ValueError` for an unknown class."""
     if cleanliness not in CLEANLINESS:
         raise ValueError(f"cleanliness '{cleanliness}' is not one of {', '.join(CLEANLINESS)}")
     return sum(CLEANLINESS[cleanliness][pitch_diameter >= 0.1]) / 2

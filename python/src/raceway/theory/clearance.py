@@ -8,8 +8,8 @@ from raceway.theory.bearing import Bearing
 
 
 def load_parameter(clearance: Numbers, shift: Numbers) -> Numbers:
-    """Return epsilon = (1 - P_d/(2 delta_r))/2 for lengths in m (appendix A). Raises `ValueError`
-    if the shift is zero."""
+    """Return the load parameter epsilon = (1 - P_d/(2 delta_r))/2 for lengths in m (appendix A).
+    Raises `ValueError` if the shift is zero."""
     if np.any(np.asarray(shift) == 0):
         raise ValueError("the load parameter of a ring that has not moved is undefined")
     return (1 - clearance / (2 * shift)) / 2
@@ -34,5 +34,5 @@ def free_contact_angle(bearing: Bearing, clearance: Numbers) -> Numbers:
 
 
 def free_endplay(bearing: Bearing, clearance: Numbers) -> Numbers:
-    """Return P_e = 2C sin(alpha_0) in m, the distance between both axial stops (eq A.4)."""
+    """Return the endplay P_e = 2C sin(alpha_0) in m, from one axial stop to the other (eq A.4)."""
     return 2 * groove_distance(bearing) * np.sin(free_contact_angle(bearing, clearance))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contact load as a function of overlap in statics, either by Hertz alone or with the film in the
-gap."""
+"""Contact load in statics as a function of overlap, from Hertz's law either alone or combined with
+the film in the gap."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ class Response(NamedTuple):
     load: Floats  # N
     slope: Floats  # d(load)/d(overlap), N/m
     energy: Floats  # J
-    elastic: Floats  # elastic compression in Hertz's law, m
+    elastic: Floats  # m, elastic compression by Hertz's law
 
 
 Law = Callable[[Floats], Response]  # a function of overlaps in m, which are negative in a gap
@@ -49,22 +49,22 @@ class FilmInGap:
 
     fluid: Fluid
     speed: float  # rad/s, speed of the inner ring
-    starvation: float = 1.0  # factor on the film thickness
-    share: float = 1.0  # zeta
-    # (C, Z), m/s; by default the speed of pure rolling at the angle of each contact
+    starvation: float = 1.0  # factor on the film thickness due to starvation
+    share: float = 1.0  # factor zeta on the film thickness in the gap
+    # (C, Z), m/s, entrainment speeds; by default, of pure rolling at the angle of each contact
     entrainment: Floats | None = None
 
     def factor(self, speed: Numbers) -> Numbers:
-        """Return phi_T of Murch and Wilson times the starvation factor, at the entrainment `speed`
-        in m/s."""
+        """Return the factor on the film thickness at the entrainment `speed` in m/s, i.e. phi_T of
+        Murch and Wilson times the starvation factor."""
         loading = film_factors.thermal_loading(
             self.fluid.temperature_viscosity, self.fluid.viscosity, speed, self.fluid.conductivity
         )
         return film_factors.murch_wilson(loading) * self.starvation
 
     def law(self, bearing: Bearing, angle: Floats, clearance: float, stiffness: Floats) -> Law:
-        """Return the `Law` of the contacts of `bearing.raceways`; the contact `angle` in rad and
-        the `stiffness` are (C, Z), by contact and ball."""
+        """Return the `Law` of the contacts of `bearing.raceways`. The contact `angle` in rad and
+        the `stiffness` are arrays (C, Z), by contact and ball."""
         radii = np.array(
             [
                 bearing.effective_radii(side, one, clearance)

@@ -14,7 +14,7 @@ def hysteretic(load: Numbers, restitution: float = 0.08) -> Numbers:
 
 
 def film(viscosity: float, length: Numbers, radius: Numbers, h_min: Numbers) -> Numbers:
-    """Return the damping by the squeeze film, 3 pi eta a/sqrt(2) (R/h)^1.5 (eq 5, Walford-Stone).
+    """Return the damping 3 pi eta a/sqrt(2) (R/h)^1.5 by the squeeze film (eq 5, Walford-Stone).
 
     `viscosity` is in Pa s. `length` is the semi-axis a across the groove (eq 5) or 2a, and `radius`
     is the ball radius R_b (eq 5) or the effective radius R_x. `h_min` is in m. Raises `ValueError`

@@ -26,8 +26,8 @@ def relative_load(azimuth: Numbers, parameter: float) -> Numbers:
 
 
 def radial_integral(parameter: float) -> float:
-    """Return J_r(epsilon), 1/(2 pi) times the integral of Q/Q_max cos psi over the load zone
-    (Harris 7.24)."""
+    """Return J_r(epsilon), which is 1/(2 pi) times the integral of Q/Q_max cos psi over the load
+    zone (Harris 7.24)."""
     if parameter >= 1:
         value, _ = quad(
             lambda psi: relative_load(psi, parameter) * np.cos(psi), 0, np.pi, epsrel=1e-11
@@ -52,8 +52,8 @@ def largest_load(balls: int, radial_load: float, parameter: float) -> float:
 
 
 def series_stiffness(bearing: Bearing) -> float:
-    """Return K in N/m^1.5 of the inner and outer contact of one ball in series, at zero contact
-    angle (Harris 7.5)."""
+    """Return the stiffness K in N/m^1.5 of the inner and the outer contact of one ball in series,
+    at zero contact angle (Harris 7.5)."""
     inner, outer = (
         hertz.stiffness(hertz.exact(*bearing.effective_radii(side)), bearing.effective_modulus)
         for side in (INNER, OUTER)

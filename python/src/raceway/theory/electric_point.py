@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Electrical results of a bearing at one operating point, from statics: first call `solve`, then
-`figures`, which returns a dict; `electric_table` formats it as text.
+"""Electrical results of a bearing at one operating point, from statics. First call `solve`, then
+`figures`, which returns a dict; `electric_table` formats that dict as text.
 
-The keys are a public interface for scripts; quantities that `operating_point` also returns have the
+The keys are a public interface for scripts. Quantities that `operating_point` also returns have the
 same keys.
 """
 
@@ -93,15 +93,15 @@ def solve(
     four_point: float | None = None,
     double_row: DoubleRow | None = None,
 ) -> Point:
-    """Return the `Point` for a bearing and a lubricant, which are given by name or path and looked
-    up in the inputs `folder`. Loads are in N, `rpm` is the speed of the inner ring, `clearance` is
-    diametral in m, `temperature` is in degrees C, and `phase` is the azimuth of the first ball in
-    rad.
+    """Return the `Point` for a bearing and a lubricant, which are given by name or path and
+    searched for in the inputs `folder`. Loads are in N, `rpm` is the speed of the inner ring,
+    `clearance` is the diametral clearance in m, `temperature` is in degrees C, and `phase` is the
+    azimuth of the first ball in rad.
 
     Shoulders missing in `filling` are taken from the bearing's file. `models` is one of
     `models.CAPACITANCE`; "full" includes the film in the gap and inlet shear heating. `four_point`
     (rad) and `double_row` are as in `inputs.bearing`. Raises `RacewayError`, or `ValueError` if the
-    speed is zero or a word is unknown.
+    speed is zero or a name is unknown.
     """
     path, oil_path = (
         catalogue.find("bearings", bearing, folder),
@@ -156,8 +156,8 @@ def solve(
 
 
 def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
-    """Return a dict of results in SI units, with angles in degrees and None for quantities that
-    were not requested. `balls` is a list with one dict per ball. Raises `ValueError` if no film
+    """Return a dict of results in SI units, except that angles are in degrees. Quantities that were
+    not requested are None. `balls` is a list with one dict per ball. Raises `ValueError` if no film
     thickness of the model gives the measured capacitance."""
     found, films, oil = point.capacitors(), point.films, point.oil
     top = int(np.argmax(found.inner.load))

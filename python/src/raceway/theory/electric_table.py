@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Format the electrical results of `electric_point` as text: `table` for one point, `curves` for
-several."""
+"""Text tables of the electrical results of `electric_point`: `table` for one operating point,
+`curves` for several."""
 
 import math
 from collections.abc import Mapping, Sequence

@@ -10,13 +10,13 @@ import math
 
 import numpy as np
 
-# deep groove, X = 0.56: F_a/(Z D^2) in MPa, i.e. f_0 F_a/C_0; e; Y, interpolated linearly
+# deep groove bearings, X = 0.56: (F_a/(Z D^2) in MPa, i.e. f_0 F_a/C_0; e; Y), linear in between
 RELATIVE = (0.172, 0.345, 0.689, 1.03, 1.38, 2.07, 3.45, 5.17, 6.89)
 LIMIT = (0.19, 0.22, 0.26, 0.28, 0.30, 0.34, 0.38, 0.42, 0.44)
 AXIAL = (2.30, 1.99, 1.71, 1.55, 1.45, 1.31, 1.15, 1.04, 1.00)
 RADIAL = 0.56
-# angular contact: nominal angle in degrees, then (e, X, Y), interpolated linearly between the
-# angles
+# angular contact bearings: nominal angle in degrees, then (e, X, Y), interpolated linearly between
+# the angles
 ANGLES = (20.0, 25.0, 30.0, 35.0, 40.0, 45.0)
 ANGULAR = (
     (0.57, 0.68, 0.80, 0.95, 1.14, 1.34),
@@ -28,9 +28,9 @@ ANGULAR = (
 def equivalent(
     radial: float, axial: float, *, angle: float, balls: int, ball_diameter: float
 ) -> float | None:
-    """Return P in N for loads in N; `angle` is the nominal contact angle in rad and the diameter is
-    in m. Without an axial load, P is the radial load at any angle. Returns None for an axial load
-    if the angle is outside the table, i.e. between 0 and 20 degrees or above 45 degrees.
+    """Return P in N for loads in N. `angle` is the nominal contact angle in rad and the diameter is
+    in m. Without an axial load, P is the radial load at any angle. With an axial load, the result
+    is None if the angle is outside the table, i.e. between 0 and 20 degrees or above 45 degrees.
 
     >>> point = dict(angle=0.0, balls=9, ball_diameter=12.6e-3)
     >>> equivalent(2000.0, 0.0, **point), round(equivalent(2000.0, 1000.0, **point))

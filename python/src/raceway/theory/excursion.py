@@ -3,9 +3,9 @@
 
 Under a moment or a combined load, the contact angles differ from ball to ball, and so do the speeds
 at which the balls roll around the bearing. A ball then moves relative to a cage that turns
-uniformly, which bearing software calls circumferential ball advance. If a pocket has less play than
-this motion requires, it restrains the ball. The ball then slides on both raceways, and the friction
-there presses it against the pocket.
+uniformly; bearing software calls this circumferential ball advance. If the play of a pocket is
+smaller than this motion, the pocket restrains the ball. The ball then slides on both raceways, and
+friction there presses it against the pocket.
 """
 
 import math
@@ -21,7 +21,7 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.static import Equilibrium
 from raceway.units import prefixed
 
-POINTS = 720  # number of points on the path of a ball around the bearing
+POINTS = 720  # number of points on the path of a ball around the bearing, for the integrals
 
 
 class Excursion(NamedTuple):
@@ -34,7 +34,7 @@ class Excursion(NamedTuple):
 
     @property
     def whole(self) -> float:
-        """Distance in m between the rearmost and the foremost position."""
+        """Distance in m from the rearmost to the foremost position."""
         return self.ahead - self.behind
 
 
@@ -46,16 +46,16 @@ def excursion(
     play: float | None = None,
 ) -> Excursion | None:
     """Compute the `Excursion` at the equilibrium `state` of a bearing with one row and one groove
-    per ring, whose inner ring turns at `speed` (rad/s) and whose outer ring is at rest. Returns
-    None for other bearings, or if no ball is loaded.
+    per ring. The inner ring turns at `speed` (rad/s), and the outer ring is at rest. Returns None
+    for other bearings, or if no ball is loaded.
 
     Each ball rolls at its own contact angles (`cage_speed.rolling`); unloaded balls move at the
     mean speed. The advance of a ball is R times the integral of 1 - w_c/w over the azimuth, where w
-    is the ball's speed and w_c the harmonic mean of the speeds of all balls, with which the advance
-    is periodic over a turn. If the excursion exceeds `play` (m; by default the estimate used in
-    runs), a ball is restrained by (1 - play/excursion) (w - w_c) R at both raceways. The traction
-    due to this slip, by Heathcote's law with the coefficients `friction` (2, Z), presses the ball
-    against its pocket; the cage speed is the one at which these forces balance.
+    is the ball's speed and w_c is the harmonic mean of the speeds of all balls, which makes the
+    advance periodic over a turn. If the excursion exceeds `play` (m; by default the estimate used
+    in runs), a ball is restrained by (1 - play/excursion) (w - w_c) R at both raceways. The
+    traction due to this slip, by Heathcote's law with the coefficients `friction` (2, Z), presses
+    the ball against its pocket. The cage speed is the speed at which these forces balance.
     """
     if np.ndim(state.inner.load) != 1:
         return None
@@ -94,8 +94,8 @@ def excursion(
 
 
 def _traction(bearing, side, slip, one, friction, orbit):
-    """Return the traction in N along rolling on a ball that moves at `slip` (m/s) relative to free
-    rolling."""
+    """Return the traction in N along rolling on a ball whose slip relative to free rolling is
+    `slip` (m/s)."""
     r_x, _ = bearing.effective_radii(side, one.angle)
     r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
     u = orbit * bearing.pitch_radius
@@ -104,8 +104,8 @@ def _traction(bearing, side, slip, one, friction, orbit):
 
 
 def _integral(values):
-    """Integrate samples at equal angles over a turn, and return the integral minus its mean at
-    `POINTS` angles."""
+    """Return the integral over a turn of samples at equal angles, minus its mean, at `POINTS`
+    angles."""
     count = len(values)
     waves = np.fft.fft(values) / count
     order = np.round(np.fft.fftfreq(count, 1 / count)).astype(int)

@@ -4,8 +4,8 @@ that broadcast, in SI units; the formulas are implemented in src-package/core/la
 
 Every formula has the form R_x f(U, G, W, kappa) with U = eta U_r/(E' R_x), G = xi E' and W = Q/(E'
 R_x^2), where U_r is the entrainment speed, i.e. half the sum of the speeds of both surfaces. The
-thickness is zero at zero speed. Zero load is an error, because the film of an unloaded contact is
-not elastohydrodynamic.
+thickness is zero at zero speed. It is an error if the load is zero, because the film of an unloaded
+contact is not elastohydrodynamic.
 """
 
 from typing import NamedTuple
@@ -37,8 +37,8 @@ def group(
     speed: Numbers,
     load: Numbers,
 ) -> Group:
-    """Compute the `Group` from eta (Pa s), xi (1/Pa), E' (Pa), R_x (m), kappa, |U_r| (m/s), Q
-    (N)."""
+    """Compute the `Group` from the viscosity eta (Pa s), xi (1/Pa), E' (Pa), R_x (m), kappa, the
+    speed |U_r| (m/s) and the load Q (N)."""
     if np.any(np.asarray(load) <= 0):
         raise ValueError(f"load = {load} N must be positive")
     return Group(
@@ -50,16 +50,16 @@ def group(
 
 
 def h_min(r_x: Numbers, g: Group) -> Numbers:
-    """Return the minimum thickness of Masjedi and Khonsari in m (eq 6); R_x in m, `g` a `Group`."""
+    """Return the minimum film thickness by Masjedi and Khonsari in m (eq 6); R_x is in m."""
     return r_x * laws.film_thickness(MASJEDI_KHONSARI, *g).h_min
 
 
 def h_c(r_x: Numbers, g: Group, printed: bool = False) -> Numbers:
-    """Return the central thickness of Masjedi and Khonsari in m (eq 9); R_x in m, `g` a `Group`.
+    """Return the central film thickness by Masjedi and Khonsari in m (eq 9); R_x is in m.
 
-    In the paper, the exponents of kappa in equation 9 have a minus sign. With a plus sign, the film
-    agrees with Hamrock-Dowson and tends to the film of a line contact as kappa grows. If `printed`
-    is true, the minus sign is used.
+    In equation 9 as printed in the paper, the exponents of kappa have a minus sign. With a plus
+    sign, the film agrees with Hamrock-Dowson and tends to the film of a line contact as kappa
+    grows. The minus sign is used if `printed` is true.
     """
     return r_x * laws.film_thickness(PRINTED if printed else MASJEDI_KHONSARI, *g).h_c
 
@@ -75,23 +75,23 @@ def load_exponent(kappa: Numbers, printed: bool = False) -> Numbers:
 
 
 def hamrock_dowson_min(r_x: Numbers, g: Group) -> Numbers:
-    """Return the minimum thickness of Hamrock and Dowson (1977) in m."""
+    """Return the minimum film thickness by Hamrock and Dowson (1977) in m."""
     return r_x * laws.film_thickness(HAMROCK_DOWSON, *g).h_min
 
 
 def hamrock_dowson_c(r_x: Numbers, g: Group) -> Numbers:
-    """Return the central thickness of Hamrock and Dowson (1977) in m."""
+    """Return the central film thickness by Hamrock and Dowson (1977) in m."""
     return r_x * laws.film_thickness(HAMROCK_DOWSON, *g).h_c
 
 
 def ratio(h_min: Numbers, roughness: float, ball_roughness: float = 0.0) -> Numbers:
-    """Return Lambda = h_min/sqrt(sigma_1^2 + sigma_2^2), with lengths in m (eq 7)."""
+    """Return the ratio Lambda = h_min/sqrt(sigma_1^2 + sigma_2^2), with lengths in m (eq 7)."""
     return h_min / laws.composite_roughness(roughness, ball_roughness)
 
 
 def regime(ratio: ArrayLike, boundary: float = 1.0, full: float = 3.0) -> np.int64 | Integers:
-    """Classify Lambda = `ratio`: 0 (boundary) below `boundary`, 2 (full film) above `full`,
-    otherwise 1 (mixed).
+    """Classify Lambda = `ratio`. The result is 0 (boundary) below `boundary`, 2 (full film) above
+    `full`, and 1 (mixed) otherwise.
 
     >>> regime([0.5, 1.4, 3.2]).tolist()
     [0, 1, 2]

@@ -3,9 +3,9 @@
 spring.
 
 The model is the linear response of a steady EHL line contact, applied to an elliptical contact:
-df/dt = k_m d(delta)/dt - f/tau, F_n = max(0, Q + f), k_m = 0.44 k h_c/delta_H, tau = 1.33 b/u. It
-is accurate to 10 to 30 % for omega b/u below 1.2. Functions accept numbers or arrays of equal shape
-in SI units.
+df/dt = k_m d(delta)/dt - f/tau, F_n = max(0, Q + f), k_m = 0.44 k h_c/delta_H, tau = 1.33 b/u. Its
+error is 10 to 30 % for omega b/u below 1.2. Functions accept numbers or arrays of equal shape in SI
+units.
 """
 
 from typing import NamedTuple
@@ -37,8 +37,8 @@ def branch(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Number
 def advance(
     force: Numbers, branch: Branch, approach: Numbers, step: Numbers
 ) -> tuple[Numbers, Numbers]:
-    """Return (f in N after `step` in s at a constant `approach` d(delta)/dt in m/s, its derivative
-    with respect to the approach in N s/m). The solution is exact."""
+    """Return the force f in N after `step` in s at a constant `approach` d(delta)/dt in m/s, and
+    its derivative with respect to the approach in N s/m. The solution is exact."""
     left, slope = laws.film_branch_step(branch.stiffness, 1 / branch.time, step, False)
     return left * force + slope * approach, slope
 
@@ -51,8 +51,8 @@ def dashpot(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Numbe
 
 
 def loss_factor(k: Numbers, branch: Branch, frequency: Numbers) -> Numbers:
-    """Return the ratio of the imaginary part to the real part of k + k_m i w tau/(1 + i w tau),
-    with w = `frequency` in rad/s."""
+    """Return the loss factor, i.e. the ratio of the imaginary part to the real part of k + k_m i w
+    tau/(1 + i w tau), with w = `frequency` in rad/s."""
     z = 1j * frequency * branch.time
     whole = k + branch.stiffness * z / (1 + z)
     return whole.imag / whole.real

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Factors on the smooth, isothermal and fully flooded film for inlet shear heating, starvation and
-roughness. Functions accept numbers or arrays of equal shape in SI units; a factor is 1 if its
-effect is absent.
+"""Factors that correct the thickness of a smooth, isothermal and fully flooded film for inlet shear
+heating, starvation and roughness. Functions accept numbers or arrays of equal shape in SI units. A
+factor of 1 means that the effect is absent.
 """
 
 import numpy as np
@@ -11,15 +11,15 @@ from raceway.core import laws
 
 MURCH_WILSON, WILSON = 1, 2
 
-GUPTA_MOST = 0.9  # largest 13.2 P L^0.42; larger values are reduced to this value in a run
+GUPTA_MOST = 0.9  # upper limit of 13.2 P L^0.42; larger values are reduced to it in a run
 
 
 def thermal_loading(
     temperature_viscosity: Numbers, viscosity: Numbers, speed: Numbers, conductivity: Numbers
 ) -> Numbers:
     """Return L = beta eta u^2/k_f, for beta in 1/K, eta in Pa s, k_f in W/(m K) and the entrainment
-    speed u in m/s. Note that with the sum of the speeds of both surfaces in place of u, L would be
-    four times as large."""
+    speed u in m/s. If u were the sum of the speeds of both surfaces, L would be four times as
+    large."""
     return laws.thermal_loading(temperature_viscosity, viscosity, speed, conductivity)
 
 
@@ -33,7 +33,7 @@ def gupta_parts(
     loading: Numbers, pressure: Numbers, slide_roll: Numbers = 0.0
 ) -> tuple[Numbers, Numbers]:
     """Return (1/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), 13.2 P L^0.42) of `gupta`, i.e. the factor
-    without the effect of pressure, and its relative reduction by pressure."""
+    without the effect of pressure, and the fraction by which pressure reduces it."""
     return tuple(laws.gupta_parts(loading, pressure, slide_roll))
 
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The film in the gap, whose thickness is added to the overlap in Hertz's law.
+"""Film in the gap: its thickness is added to the overlap in Hertz's law.
 
 The load is Q = K delta_H^1.5 with delta_H = delta + zeta h_c(Q), where delta is the overlap of the
-rigid bodies, which is negative in a gap. As Q grows, delta_H grows and h_c decreases, so there is
-exactly one root for any delta. A transient EHL solver gives zeta = 1.04 to 1.09 for a line contact;
-the default is 1.
+rigid bodies, which is negative if there is a gap. As Q grows, delta_H grows and h_c decreases, so
+there is exactly one root for any delta. According to a transient EHL solver, zeta is 1.04 to 1.09
+for a line contact; the default is 1.
 """
 
 from dataclasses import dataclass, replace
@@ -15,22 +15,22 @@ from numpy.typing import ArrayLike
 from raceway.arrays import Numbers
 from raceway.core import laws
 
-CUT = 1.0  # N, default load below which the thickness given by a power law is constant
+CUT = 1.0  # N, default load below which a power law is replaced by a constant thickness
 
 
 class Squeeze(NamedTuple):
     """Contacts with their films, in arrays of equal shape."""
 
     load: Numbers  # Q, N
-    h_c: Numbers  # m; below the cut load, the thickness at the cut load
-    elastic: Numbers  # delta_H, m; zero without load
+    h_c: Numbers  # m, film thickness; below the cut load, its value at the cut load
+    elastic: Numbers  # delta_H, m; zero if there is no load
     slope: Numbers  # dQ/d(delta), N/m
 
 
 @dataclass(frozen=True)
 class Law:
-    """A film as a function of the load: `law(load in N)` returns (h_c in m, m = -d(ln h_c)/d(ln
-    Q)). Use `power_law`, `all_regimes` and `heated` to create one."""
+    """A film as a function of the load. `law(load in N)` returns (h_c in m, m = -d(ln h_c)/d(ln
+    Q)). Use `power_law`, `all_regimes` or `heated` to create one."""
 
     all_regimes: bool
     viscosity: Numbers  # Pa s
@@ -46,7 +46,7 @@ class Law:
     cut: float = 0.0  # N
 
     def __call__(self, load: Numbers) -> tuple[Numbers, Numbers]:
-        """Return (h_c in m, m) under `load` in N."""
+        """Return h_c in m and the exponent m under a `load` in N."""
         return tuple(laws.film_at_load(load, **vars(self)))
 
 
@@ -62,8 +62,8 @@ def power_law(
     cut: float = CUT,
 ) -> Law:
     """Return the `Law` of Masjedi and Khonsari (`film.h_c`) times `factor`. Below the load `cut` in
-    N the thickness keeps its value at `cut`. If `cut` is 0, the thickness grows without bound as
-    the load goes to zero."""
+    N, the thickness keeps its value at `cut`. If `cut` is 0, the thickness grows without bound as
+    the load tends to zero."""
     return Law(False, viscosity, pressure_viscosity, modulus, r_x, kappa, speed, factor, cut=cut)
 
 
@@ -91,7 +91,7 @@ def heated(
     `loading` is L, and `peak` is p_max/E' at a load of 1 N; p_max grows with Q^(1/3). Below the
     load `cut` in N the factor keeps its value at `cut`. Beyond the range of Gupta's factor, the
     reduction by pressure is limited to `GUPTA_MOST`. Raises `ValueError` if `law` is a power law
-    that is cut at a different load.
+    whose cut is at a different load.
     """
     if not law.all_regimes and law.cut != cut:
         raise ValueError(f"cut = {cut} N must equal the cut of the power law, {law.cut} N")
@@ -99,11 +99,11 @@ def heated(
 
 
 def solve(overlap: ArrayLike, stiffness: Numbers, law: Law, share: float = 1.0) -> Squeeze:
-    """Solve for the `Squeeze` of contacts with K in N/m^1.5 at an `overlap` in m of any sign;
-    `share` is zeta.
+    """Find the `Squeeze` of contacts with the stiffness K in N/m^1.5 at an `overlap` in m of either
+    sign; `share` is zeta.
 
-    dQ/d(delta) is 1.5 Q/(delta_H + 1.5 m zeta h_c). There is no load if the gap exceeds the
-    thickness of a film with a cut.
+    dQ/d(delta) is 1.5 Q/(delta_H + 1.5 m zeta h_c). There is no load if the film has a cut and the
+    gap exceeds its thickness.
     """
     return Squeeze(*laws.film_in_gap(overlap, stiffness, share, **vars(law)))
 
@@ -115,8 +115,8 @@ def energy(
     cut: float = 0.0,
     edge: Numbers = 0.0,
 ) -> Numbers:
-    """Return the energy in J of a contact at constant speed whose film is a power law of the load
-    with m = `exponent` above the load `cut` in N, at which its thickness is `edge` (m): 0.4 Q
-    delta_H + zeta m/(1 - m) (h_c Q - edge cut)."""
+    """Return the energy in J of a contact at constant speed, 0.4 Q delta_H + zeta m/(1 - m) (h_c Q
+    - edge cut). Above the load `cut` in N, the film thickness is a power law with m = `exponent`;
+    at that load it is `edge` (m)."""
     thinned = laws.thinning_work(share, exponent, squeeze.load, squeeze.h_c, cut, edge)
     return laws.hertz_energy(squeeze.load, squeeze.elastic) + thinned

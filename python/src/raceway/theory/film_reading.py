@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film thickness read from the capacitance of a bearing as if all of it were the capacitance of the
-plates. The resulting curve is used to correct measured film thicknesses."""
+"""Film thickness read from the capacitance of a bearing as if the plates were its only capacitance.
+The resulting curve is used to correct measured film thicknesses."""
 
 from typing import NamedTuple
 
@@ -19,8 +19,9 @@ class Reading(NamedTuple):
 
     h_c: Floats  # m
     capacitance: Floats  # F, capacitance of the whole bearing
-    by_plates: Floats  # m, the h_c that would result if the plates were the whole capacitance
-    less_constant: Floats  # m, h_c after subtraction of all other capacitance at factor one
+    by_plates: Floats  # m, the h_c that results if all capacitance is attributed to the plates
+    # m, the h_c that results after subtracting all other capacitance at factor one
+    less_constant: Floats
 
 
 def curve(point: Point, factors: ArrayLike = FACTORS) -> Reading:
@@ -28,9 +29,9 @@ def curve(point: Point, factors: ArrayLike = FACTORS) -> Reading:
     as thick as computed.
 
     The capacitance of the plates is inversely proportional to the film thickness; the permittivity
-    is constant. `less_constant` is the reading of a bridge that has been zeroed with the
-    surroundings at the model's film thickness; it is NaN where nothing remains after the
-    subtraction. Raises `ValueError` if no ball is loaded on both raceways.
+    is constant. `less_constant` is the reading of a bridge that was zeroed with the surroundings at
+    the model's film thickness; it is NaN if nothing remains after the subtraction. Raises
+    `ValueError` if no ball is loaded on both raceways.
     """
     whole = point.capacitors()
     plates = whole.plates

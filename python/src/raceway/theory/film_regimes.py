@@ -31,8 +31,8 @@ def group(
     speed: Numbers,
     load: Numbers,
 ) -> Moes:
-    """Compute `Moes` from eta (Pa s), xi (1/Pa), E' (Pa), R_x and R_y (m), u (m/s, not zero) and Q
-    (N)."""
+    """Compute `Moes` from the viscosity eta (Pa s), xi (1/Pa), E' (Pa), R_x and R_y (m), the speed
+    u (m/s, not zero) and the load Q (N)."""
     speed = 2 * viscosity * np.abs(speed) / (modulus * r_x)
     return Moes(
         load / (modulus * r_x**2) * speed**-0.75,
@@ -43,6 +43,6 @@ def group(
 
 
 def h_c(g: Moes) -> Numbers:
-    """Return the central thickness in m. The asymptotes were checked against the source; the
-    formula that joins them is from memory, unchecked."""
+    """Return the central thickness in m. The asymptotes were checked against the source. The
+    formula that joins them is from memory and unchecked."""
     return g.scale * laws.film_all_regimes(g.load, g.material, g.ratio)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Voltages across films: division between two films, electric field in a film, breakdown voltage,
-and energy of a discharge. Functions accept numbers or arrays of equal shape in SI units.
+"""Voltages across films: division of a voltage between two films, electric field in a film,
+breakdown voltage, and energy of a discharge. Functions accept numbers or arrays of equal shape in
+SI units.
 
 A smooth thin film fails at 15 to 60 V/um (from memory, unchecked). In measurements, bearings first
 fail at 1.5 to 6 V across two films (Lubricants 2024, 12, 1, table A1). This is far below the
-strength of smooth films because of roughness: the local gap is the film thickness minus three
+strength of smooth films, because roughness reduces the local gap to the film thickness minus three
 standard deviations of the roughness.
 """
 
@@ -16,8 +17,8 @@ from raceway.arrays import Floats, Numbers
 from raceway.theory.asperity import CONDUCTS
 
 STRENGTH = 15e6  # V/m, lower end of the range for smooth thin films (from memory, unchecked)
-PEAKS = 3.0  # local reduction of a film, in standard deviations of the roughness
-# A/m^2, limits of the peak current divided by the Hertz area (from memory, unchecked)
+PEAKS = 3.0  # local reduction of the film thickness, in standard deviations of the roughness
+# A/m^2, limits for the peak current divided by the Hertz area (from memory, unchecked)
 HARMLESS, HARMFUL = 0.1e6, 0.7e6
 HARDNESS = 7.5e9  # Pa, hardness of bearing steel, which is 7 to 8 GPa (from memory, unchecked)
 STATES = ("capacitive", "leaking", "metallic")
@@ -42,29 +43,29 @@ def divided(voltage: Numbers, inner: Numbers, outer: Numbers) -> Shares:
 
 
 def shares(inner: Numbers, outer: Numbers) -> Shares:
-    """Return the fraction of a voltage between the rings that is across each film, from the
-    capacitances; both are zero if both films are open."""
+    """Return, for each film, the fraction of the voltage between the rings that drops across it,
+    computed from the capacitances. Both fractions are zero if both films are open."""
     both = np.asarray(inner + outer, float)
     over = np.divide(1.0, both, out=np.zeros_like(both), where=both != 0)
     return Shares((outer * over)[()], (inner * over)[()])
 
 
 def local_gap(separation: Numbers, roughness: float = 0.0, floor: float = 0.0) -> Numbers:
-    """Return h - 3 sigma in m, or `floor` (m) where asperities touch."""
+    """Return the local gap h - 3 sigma in m, or `floor` (m) where asperities touch."""
     return np.maximum(separation - PEAKS * roughness, floor)
 
 
 def field(voltage: Numbers, gap: Numbers) -> Numbers:
     """Return the field in V/m for a `voltage` across a `gap` (m), which is the film thickness or a
-    `local_gap`. It has the sign of the voltage and is infinite if the gap is zero."""
+    `local_gap`. The field has the sign of the voltage and is infinite if the gap is zero."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return (np.asarray(voltage, float) / np.asarray(gap, float))[()]
 
 
 def ring_voltages(limits: tuple[Numbers, Numbers], inner: Numbers, outer: Numbers) -> Floats:
-    """Return the voltages (2, ...) between the rings in V at which the inner and the outer film
-    reach the voltages `limits`, from the capacitances: V_i (C_i + C_o)/C_o and V_o (C_i + C_o)/C_i.
-    A voltage is infinite if there is no voltage across the film."""
+    """Return the voltages (2, ...) in V between the rings at which the inner and the outer film
+    reach the voltages `limits`: V_i (C_i + C_o)/C_o and V_o (C_i + C_o)/C_i, where `inner` and
+    `outer` are the capacitances. A result is infinite if there is no voltage across that film."""
     share = np.stack(shares(inner, outer))
     limit = np.stack([np.broadcast_to(one, share.shape[1:]) for one in limits])
     return np.divide(limit, share, out=np.full(share.shape, np.inf), where=share > 0)
@@ -76,7 +77,7 @@ class Threshold(NamedTuple):
     bearing: float  # V, threshold of the weakest ball
     ball: Numbers  # (Z,), V, threshold of each ball
     weakest: int  # index of the weakest ball
-    first: Numbers  # (Z,), film that fails first, 0 inner or 1 outer; the other film fails next
+    first: Numbers  # (Z,), film that fails first, 0 (inner) or 1 (outer); the other film fails next
 
 
 def threshold(
@@ -106,22 +107,22 @@ def threshold(
 
 
 def stored_energy(capacitance: Numbers, voltage: Numbers) -> Numbers:
-    """Return C V^2/2 in J, all of which a discharge may dissipate; C includes the capacitances in
-    parallel with the bearing."""
+    """Return the energy C V^2/2 in J, all of which a discharge may dissipate. C includes the
+    capacitances in parallel with the bearing."""
     return capacitance * np.square(voltage) / 2
 
 
 def apparent_current_density(current: Numbers, area: Numbers) -> Numbers:
     """Return the peak `current` (A) divided by the Hertz area (m^2) of all contacts through which
-    it may flow, in A/m^2. Values up to 0.1 A/mm^2 are considered harmless and values above 0.7
-    A/mm^2 harmful (from memory, unchecked)."""
+    the current may flow, in A/m^2. Values up to 0.1 A/mm^2 are considered harmless, and values
+    above 0.7 A/mm^2 harmful (from memory, unchecked)."""
     return current / _positive("area", area)
 
 
 def states(asperity_share: Numbers, loss: Numbers = 0.0) -> Numbers:
-    """Return indices into `STATES`: metallic if asperities carry more than `CONDUCTS` of the load,
-    otherwise leaking if `loss` = 1/(omega R C), the ratio of conduction current to displacement
-    current, is above one.
+    """Return indices into `STATES`. A contact is metallic if asperities carry more than `CONDUCTS`
+    of the load. Otherwise it is leaking if `loss` = 1/(omega R C), the ratio of conduction current
+    to displacement current, is above one.
 
     >>> states([0.0, 0.0, 0.3], [0.1, 5.0, 0.0]).tolist()
     [0, 1, 2]
@@ -138,8 +139,8 @@ def real_area(asperity_share: Numbers, load: Numbers, hardness: float = HARDNESS
 
 
 def constriction(area: Numbers, spots: int, resistivity: float) -> Numbers:
-    """Return the resistance in ohm of a metallic contact `area` (m^2) that is divided into `spots`
-    round spots, rho/(2 n a) (Holm; from memory, unchecked), without oxide films. `resistivity` is
+    """Return the resistance rho/(2 n a) in ohm of a metallic contact `area` (m^2) that is divided
+    into `spots` round spots without oxide films (Holm; from memory, unchecked). `resistivity` is
     the resistivity of the metal in ohm m."""
     if spots < 1:
         raise ValueError(f"spots = {spots} must be 1 or more")

@@ -34,7 +34,7 @@ def clearance_change(
     shaft_material: Material = STEEL,
     housing_material: Material = STEEL,
 ) -> float:
-    """Return the change of the diametral clearance in m, which is 0 or negative.
+    """Return the change in the diametral clearance in m, which is 0 or negative.
 
     `shaft` and `housing` are the diametral interferences (m) of the inner ring on its shaft and of
     the outer ring in its housing; values of 0 or less, i.e. loose fits, have no effect. `bore` and

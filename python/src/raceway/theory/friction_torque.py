@@ -1,25 +1,27 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of a bearing in static equilibrium. The power dissipated by all contacts of
-freely rolling balls is computed by component and divided by the speed of the ring.
+"""Friction torque of a bearing in static equilibrium. For freely rolling balls, the power
+dissipated by all contacts is computed separately for each mechanism, and divided by the speed of
+the ring.
 
 rolling
-    hydrodynamic rolling resistance: 2 f times the rolling speed, times the factors of inlet shear
+    hydrodynamic rolling resistance: 2 f times the rolling speed, times the factors for inlet shear
     heating and starvation (`rolling`)
 slip
-    differential slip in free rolling under Coulomb's law, where the coefficient of the film is
-    constant or follows from Eyring's stress with its limit (`traction`), and asperities carry their
-    fraction of the load with the boundary coefficient (`sliding`); slip across the grooves due to
-    the gyroscopic moment
+    differential slip in free rolling under Coulomb's law (`sliding`), and slip across the grooves
+    due to the gyroscopic moment. The coefficient of the film is constant or follows from the Eyring
+    stress with its limit (`traction`); asperities carry their fraction of the load with the
+    boundary coefficient
 spin
     spin about the contact normals, for the ball rotation at which the moments on the ball balance
-    (`attitude`); computed in closed form, as in a run, or, with `spin_law` "slices", together with
-    slip
+    (`attitude`). It is computed in closed form, as in a run, or, if `spin_law` is "slices",
+    together with slip
 hysteresis
     hysteresis of the steel (`rolling`)
 drag
     drag on the balls in oil and air (`drag`)
 cage
-    losses of a cage that is one ring: oil in its pockets and at its land, churning (`cage_drag`)
+    losses of a cage that is one ring: oil in its pockets and at its land, and churning
+    (`cage_drag`)
 
 A ball with more than two contacts cannot roll on all of them (`ball_motion`). A ball that touches
 only the outer ring is slowed by rolling resistance and slides (`skidding`).
@@ -63,15 +65,15 @@ class Surfaces:
     """Parameters of the friction laws other than geometry, loads and oil."""
 
     boundary: float = 0.12  # boundary friction coefficient mu_b in running (SKF)
-    film: float | None = 0.05  # traction coefficient of the film; None: from Eyring's stress
-    loss: float = 0.016  # alpha of hysteresis, typically 0.005 to 0.05
+    film: float | None = 0.05  # traction coefficient of the film; None: from the Eyring stress
+    loss: float = 0.016  # hysteresis loss factor alpha, typically 0.005 to 0.05
     oil_share: float = 0.05  # fraction of the space around the balls that is filled with oil
     inlet: float = 0.0  # inlet length of rolling contacts, in multiples of b; 0: fully flooded
     starvation: float = 1.0  # factor on the hydrodynamic couple
 
 
 class Losses(NamedTuple):
-    """Losses in W of contacts (C, Z), inner contacts first, of balls (Z,) and of the cage, and
+    """Losses in W of contacts (C, Z), inner contacts first, of balls (Z,) and of the cage; also
     fractions and coefficients for the contacts (C, Z)."""
 
     rolling: Floats
@@ -87,7 +89,7 @@ class Losses(NamedTuple):
 
     @property
     def parts(self) -> dict[str, float]:
-        """Power of each component in W, by name."""
+        """Power in W dissipated by each mechanism, by name."""
         found = {name: getattr(self, name) for name in PARTS}
         return {name: float(np.sum(of)) for name, of in found.items() if of is not None}
 
@@ -128,11 +130,11 @@ def losses(
     cage: cage_drag.CageRing | None = None,
 ) -> Losses:
     """Compute the `Losses` of an `Equilibrium` with its `Lubrication` and `Fluid`. The inner ring
-    turns at `ring` rad/s, and the balls orbit at `orbit` rad/s, one value or (Z,). The clearance is
-    in m and `ball_density` in kg/m^3; `cage` is a cage that is one ring, or None. With `spin_law`
-    "closed", the mutual reduction of spin and differential slip is computed with a fit, and the
-    gyroscopic moment is included; with "slices", slip and spin are combined over the contact
-    ellipse. Raises `ValueError` for an unknown law."""
+    turns at `ring` rad/s, and the balls orbit at `orbit` rad/s, a single value or (Z,). The
+    clearance is in m and `ball_density` in kg/m^3; `cage` is a cage that is one ring, or None. If
+    `spin_law` is "closed", the gyroscopic moment is included, and a fit describes how spin and
+    differential slip reduce each other. If it is "slices", slip and spin are combined over the
+    contact ellipse. Raises `ValueError` for an unknown law."""
     if spin_law not in SPIN_LAWS:
         raise ValueError(f"spin law '{spin_law}' is not one of {', '.join(SPIN_LAWS)}")
     surfaces = surfaces or Surfaces()
@@ -167,7 +169,8 @@ def losses(
         pair = pair[:, two]
         both = _Pressed(*(value[pair, balls] for value in pressed))
         at, turn = rates = [one[1:] for one in attitude.rolling(bearing, both.angle, ring)]
-        alone = at - turn * (at / turn)[::-1]  # spin of a ball without spin at the other raceway
+        # spin of a ball that does not spin at the other raceway
+        alone = at - turn * (at / turn)[::-1]
         both = _sheared(both, _free(both), alone, fluid, surfaces)
         if spin_law == "closed":
             limit, edge = both.friction * both.load, _edge(both)
@@ -198,7 +201,7 @@ def losses(
 
 
 def _by_groove(side):
-    """Split `side` into a list with one tuple of arrays (Z,) per groove."""
+    """Return a list with one tuple of arrays (Z,) for each groove of `side`."""
     return [type(side)(*one) for one in zip(*map(np.atleast_2d, side))]
 
 
@@ -224,7 +227,7 @@ def _free(pressed):
 
 def _sheared(pressed, along, rate, fluid, surfaces):
     """Return `_Pressed` with the film friction at a slip (m/s) and a spin (rad/s), because these
-    shear the film more than differential slip alone does."""
+    shear the film more than differential slip alone."""
     if surfaces.film is not None:
         return pressed
     curve = pressed.speed / (2 * pressed.r_d * pressed.r_x)
@@ -243,8 +246,8 @@ def surfaces(
     supply: oil_supply.Supply = oil_supply.BATH,
 ) -> Surfaces:
     """Return the `Surfaces` for the `models` of a run, full or eyring. The inlet, the oil fraction
-    and SKF's starvation factor are those of a `supply`, for an inner ring at `ring` rad/s. If the
-    `size` of the bearing is not given, the starvation factor is 1."""
+    and SKF's starvation factor are those of a `supply` for an inner ring that turns at `ring`
+    rad/s. If the `size` of the bearing is not given, the starvation factor is 1."""
     found = oil_supply.numbers(supply, bearing, fluid.density)
     starved = 1.0
     if size is not None:
@@ -306,7 +309,8 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
         part, at_last = (skidding.rotation(slowing, rate, time) for time in (since, until))
         rolled = slowed(part) * turns * part
         slid = np.where(part < 1, friction * load * past * (1 - part), slid)
-        slid += 0.2 * load * flat * (1 - at_last) ** 2 * frequency  # spinning up of returning balls
+        # acceleration of returning balls
+        slid += 0.2 * load * flat * (1 - at_last) ** 2 * frequency
     values[:, live] = (
         rolled,
         slid,
@@ -319,8 +323,8 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
 
 def _together(both, rates, ball):
     """Return the (slip, spin) powers of one ball at both raceways, for the rotation with the
-    smallest total loss, at which the moments balance. The slip along rolling is such that no force
-    remains."""
+    smallest total loss, at which the moments balance. The slip along rolling is chosen such that no
+    force remains."""
     at, turn = (one[:, ball] for one in rates)
     bounds = -at / turn  # rotations for which there is no spin at one of the raceways
     tried = np.linspace(*bounds, 17)
@@ -346,8 +350,8 @@ def _together(both, rates, ball):
 
 def _several(bearing, one, sides, ring, spin_law, fluid, surfaces):
     """Return the (slip, spin) powers (C,) of one ball with more than two contacts. The motion is
-    that of `ball_motion` or, with slices, the motion for which forces and moments of slip and spin
-    balance."""
+    that of `ball_motion` or, with slices, the motion at which the forces and moments of slip and
+    spin balance."""
     lines, goal, _ = ball_motion.rates(bearing, sides, one.angle, ring)
 
     def least(one):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Width of a raceway groove around a ball: the angle of its shoulder, and the half-width of a
-parabolic groove with the same capacitance. Lengths are in m and angles in rad."""
+parabolic groove with the same capacitance. Lengths are in m, and angles are in rad."""
 
 from typing import NamedTuple
 
@@ -23,9 +23,9 @@ class HalfWidths(NamedTuple):
 def depth(
     bearing: Bearing, raceway: int, shoulder: float = np.nan, clearance: float = 0.0
 ) -> float:
-    """Return t in m, the height of the shoulder with the diameter `shoulder` (m) above the bottom
-    of the groove, or 0.18 ball diameters if `shoulder` is NaN. The diametral `clearance` (m) is
-    assigned to the outer groove.
+    """Return the depth t in m, i.e. the height of the shoulder with the diameter `shoulder` (m)
+    above the bottom of the groove; t is 0.18 ball diameters if `shoulder` is NaN. The diametral
+    `clearance` (m) is assigned to the outer groove.
 
     Raises `ValueError` if the shoulder is not between the bottom and the centre of the groove.
     """
@@ -45,8 +45,8 @@ def shoulder_angle(
     groove: float, ball_radius: float, depth: float, gap: Numbers = 0.0, offset: float = 0.0
 ) -> Numbers:
     """Return theta_b in rad, the angle of the shoulder as seen from the centre of a ball that is
-    `gap` (m) from the bottom of its groove. The groove has the radius `groove` and the depth
-    `depth` (m), and its centre of curvature is `offset` (m) from the plane of the ball.
+    `gap` (m) away from the bottom of its groove. The groove has the radius `groove` (m) and the
+    depth `depth` (m), and its centre of curvature is `offset` (m) from the plane of the ball.
 
     tan(theta_b) = (r_c sin(theta) - offset)/(R_b - t + gap) with cos(theta) = 1 - t/r_c (derived in
     docs/electric).
@@ -69,9 +69,9 @@ def half_widths(
     broadcast. `clearance` is diametral, in m.
 
     S = R_b (4 tan(t/4) ± 0.09 gamma) with t = theta_b -/+ angle is the half-width of the parabola
-    that has the same capacitance as the arc (derived in docs/electric); the sign is + 0.09 gamma
+    that has the same capacitance as the arc (derived in docs/electric). The sign is + 0.09 gamma
     for the inner and - for the outer raceway. S is zero beyond the shoulder. Within the ellipse the
-    groove already is the parabola, so the excess of the arc is subtracted there: 4 R_b q_a - a from
+    groove is already the parabola, so the excess of the arc is subtracted there: 4 R_b q_a - a from
     the first term and a fraction (q_a/q)^2 of the second, with q = tan(t/4) and q_a = tan(a/(4
     R_b)).
 

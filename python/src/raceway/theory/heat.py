@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Temperatures of a bearing: cooling, heat balance with one node or with separate nodes for rings
-and balls, clearance as a function of temperature, and flash temperature. SI units, with
-temperatures in degrees C.
+and balls, clearance as a function of temperature, and flash temperature. All values are in SI
+units, except that temperatures are in degrees C.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -26,7 +26,7 @@ REFERENCE_VISCOSITY = 12.0  # mm^2/s at 70 C, ISO 15312
 
 def cooling(bore: float, outside: float, width: float) -> float:
     """Return W_s = q_r pi B (D + d)/50 K in W/K (ISO 15312), the conductance from a radial bearing
-    with these dimensions (mm) through its seats and the housing to ambient, at the reference
+    with these dimensions (mm) to ambient, through its seats and the housing, at the reference
     conditions."""
     return float(laws.iso_15312_conductance(1e-3 * bore, 1e-3 * outside, 1e-3 * width))
 
@@ -39,7 +39,7 @@ def balance(
     tolerance: float = 1e-6,
     coldest: float | None = None,
 ) -> float:
-    """Find the temperature in degrees C, within `tolerance`, at which `power`(T) in W equals
+    """Find the temperature in degrees C, to within `tolerance`, at which `power`(T) in W equals
     `conductance` in W/K times T - T_a, between `coldest` (by default ambient) and `hottest`.
 
     Raises `ValueError` if the bearing is still warming up at `hottest`. There is exactly one such
@@ -69,7 +69,7 @@ class Nodes(NamedTuple):
 class OilFlow(NamedTuple):
     """Oil that flows through a bearing and carries heat away."""
 
-    flow: float  # mass flow times heat capacity, W/K
+    flow: float  # W/K, mass flow times heat capacity
     inlet: float  # degrees C
     wetted: tuple[float, float, float]  # m^2, areas of inner ring, balls and outer ring
     convection: float  # W/(m^2 K)
@@ -88,9 +88,9 @@ def network(
     ambient: float = 20.0,
     oil: OilFlow = STILL,
 ) -> dict[str, Any]:
-    """Return the heat network of a bearing, which is an argument of `steady` and `advance`.
-    `capacity` contains the heat capacities in J/K of inner ring, balls, outer ring and housing (0:
-    no housing). Conductances are in W/K: `contacts` from the inner and the outer ring to all balls,
+    """Return the heat network of a bearing, to be passed to `steady` and `advance`. `capacity`
+    contains the heat capacities in J/K of inner ring, balls, outer ring and housing (0: no
+    housing). Conductances are in W/K: `contacts` from each ring to all balls (inner, outer),
     `shaft` from the inner ring to ambient, `seat` from the outer ring to the housing (0: no thermal
     resistance), and `housing` from the housing to ambient. `ambient` is in degrees C. `oil` flows
     between inner ring, balls and outer ring."""
@@ -114,9 +114,9 @@ def advance(
     time: float,
     end: ArrayLike | None = None,
 ) -> tuple[float, Floats]:
-    """Return (heat in J carried away, temperatures in degrees C (4)) of a `network` at `time`
-    seconds after it had the temperatures `start`. The `heat` in W into the nodes and the oil (5) is
-    either constant or varies linearly to `end`. The solution is exact."""
+    """Return the heat in J carried away and the temperatures (4,) in degrees C of a `network` at
+    `time` seconds after it had the temperatures `start`. The `heat` in W into the nodes and the oil
+    (5,) is either constant or varies linearly to `end`. The solution is exact."""
     return library().call(
         "heat_advance",
         net=of,
@@ -128,21 +128,21 @@ def advance(
 
 
 def steady(of: Mapping[str, Any], heat: ArrayLike) -> tuple[float, Floats]:
-    """Return (slowest time constant in s, steady temperatures in degrees C (4)) of a `network` with
-    the `heat` in W into its nodes and the oil (5)."""
+    """Return the slowest time constant in s and the steady temperatures (4,) in degrees C of a
+    `network` with the `heat` in W into its nodes and the oil (5,)."""
     return library().call("heat_steady", net=of, heat=heat)
 
 
 def outlet(of: Mapping[str, Any], surfaces: ArrayLike, heat: float = 0.0) -> float:
-    """Return the temperature in degrees C of the oil that leaves a `network`, with inner ring,
-    balls and outer ring at the temperatures `surfaces` (3) and with `heat` in W generated in the
-    oil."""
+    """Return the temperature in degrees C of the oil that leaves a `network` in which inner ring,
+    balls and outer ring are at the temperatures `surfaces` (3,), and in which `heat` in W is
+    generated in the oil."""
     return library().call("oil_outlet", net=of, surface=surfaces, heat=heat)
 
 
 def conductances(state: Equilibrium, films: Lubrication) -> tuple[float, float]:
     """Return the conductances in W/K from the inner ring and from the outer ring to all balls
-    through the moving contacts, 0.874 2a sqrt(2 k rho c b u/pi) per contact."""
+    through the moving contacts. Each contact contributes 0.874 2a sqrt(2 k rho c b u/pi)."""
     sides = ((state.inner, films.inner), (state.outer, films.outer))
     return tuple(
         float(laws.contact_conductance(at.a, at.b, film.entrainment)[at.load > 0].sum())
@@ -172,8 +172,8 @@ def oil_flow(
 
 def into_nodes(inner: float, outer: float, balls: float = 0.0, oil: float = 0.0) -> list[float]:
     """Return the heat in W into the nodes and the oil of a `network`. Half of the power dissipated
-    at each raceway goes into the ring and half into the balls; losses at the `balls` alone and in
-    flowing `oil` are added."""
+    at each raceway heats the ring and half the balls. Losses at the `balls` alone and in flowing
+    `oil` are added."""
     return [inner / 2, (inner + outer) / 2 + balls, outer / 2, 0.0, oil]
 
 
@@ -189,8 +189,8 @@ def three_nodes(
     oil: float = 0.0,
     flow: OilFlow = STILL,
 ) -> Nodes:
-    """Return the `Nodes` in the steady state for losses in W at the `inner` and the `outer`
-    raceway, half of which go into the balls, at the `balls` alone, and in the `oil` of a `flow`.
+    """Return the `Nodes` in the steady state for losses in W at the `inner` and the `outer` raceway
+    (half of which heat the balls), at the `balls` alone, and in the `oil` of a `flow`.
 
     Conductances are in W/K: `shaft` from the inner ring to ambient, `housing` from the outer ring
     to ambient, and `contact` from a ring to all balls, which may be a pair of values for the inner
@@ -202,15 +202,15 @@ def three_nodes(
 
 
 def clearance_change(bearing: Bearing, inner: Numbers, balls: Numbers, outer: Numbers) -> Numbers:
-    """Return the change of the diametral clearance in m for temperature rises in K of inner ring,
-    balls and outer ring: -12e-6 (D_i dT_i + 2 D_w dT_b - D_e dT_e)."""
+    """Return the change in the diametral clearance in m for temperature rises in K of inner ring,
+    balls and outer ring, -12e-6 (D_i dT_i + 2 D_w dT_b - D_e dT_e)."""
     radii = bearing.inner_radius, bearing.outer_radius, bearing.ball_radius
     return laws.clearance_change(*radii, inner, balls, outer)
 
 
 def flash(flux: Numbers, b: Numbers, speed: Numbers) -> Numbers:
-    """Return the temperature rise in K of a surface under a heat `flux` in W/m^2, 1.128 q
-    sqrt(2b/(k rho c u)), where b is the semi-axis along rolling in m and u = `speed` in m/s (Blok,
+    """Return the temperature rise 1.128 q sqrt(2b/(k rho c u)) in K of a surface under a heat
+    `flux` q in W/m^2, where b is the semi-axis along rolling in m and u = `speed` is in m/s (Blok,
     Jaeger)."""
     steel = laws.steel_of_bearings()
     conductor = float(steel.conductivity * steel.density * steel.heat)
@@ -218,15 +218,15 @@ def flash(flux: Numbers, b: Numbers, speed: Numbers) -> Numbers:
 
 
 def film_rise(flux: Numbers, thickness: Numbers, conductivity: Numbers) -> Numbers:
-    """Return the excess in K of the temperature in the middle of the film over the temperature of
-    the surfaces, q_total h/(8 k_f), where q_total in W/m^2 is the heat generated in the film."""
+    """Return how much the temperature in the middle of the film exceeds that of the surfaces,
+    q_total h/(8 k_f) in K, where q_total in W/m^2 is the heat generated in the film."""
     return flux * thickness / (8 * conductivity)
 
 
 def greatest_flux(friction: Numbers, pressure: Numbers, edge: Numbers) -> Numbers:
     """Return the largest mu p |s| on the ellipse in free rolling, 0.317 mu p_max s_e, in W/m^2.
 
-    With p = p_max sqrt(1 - t^2) and |s| = s_e |t^2 - 0.120615|; `pressure` is p_max in Pa and
+    Here p = p_max sqrt(1 - t^2) and |s| = s_e |t^2 - 0.120615|. `pressure` is p_max in Pa and
     `edge` is s_e in m/s.
     """
     # with x = t^2, sqrt(1 - x) (x - x0) is largest at x = (2 + x0)/3

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Steady temperature of a bearing, i.e. the temperature at which cooling balances the friction heat
-that follows from statics, film and friction at that temperature.
+computed from statics, film and friction at that temperature.
 
-With one node, the whole bearing and its oil are at one temperature. With three nodes, inner ring,
-balls and outer ring have separate temperatures, the oil is at their mean, and statics uses the
-clearance of the warm parts. In both cases, oil that flows through the bearing carries heat away.
+With one node, the whole bearing and its oil are at one temperature. With three nodes, the inner
+ring, the balls and the outer ring have separate temperatures, the oil is at the mean of these, and
+statics uses the clearance of the warm parts. In both cases, oil that flows through the bearing
+carries heat away.
 """
 
 import math
@@ -41,8 +42,8 @@ class Nodes:
 
 @dataclass(frozen=True)
 class CirculatingOil:
-    """Oil that flows through a bearing with this `width` in m; `flow` is the volume flow at 40 C in
-    m^3/s, and `inlet` is the inlet temperature in degrees C."""
+    """Oil that flows through a bearing of the given `width` in m. `flow` is the volume flow at 40 C
+    in m^3/s, and `inlet` is the inlet temperature in degrees C."""
 
     flow: float
     inlet: float
@@ -53,7 +54,7 @@ class Rest(NamedTuple):
     """A bearing in equilibrium with its loads, and the films at its speed."""
 
     state: Equilibrium
-    orbit: float | Floats  # rad/s, of the balls
+    orbit: float | Floats  # rad/s, orbital speed of the balls
     films: Lubrication
     fluid: Fluid
 
@@ -90,12 +91,12 @@ class Scene:
         self.spin_law, self.models, self.held = spin_law, models, held
         self.size, self.supply, self.cage = size, supply, cage
         self.oil_flow = oil_flow
-        self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
+        self.share = 1.0  # factor on the computed friction, set by `by_runs`
         self.near: Equilibrium | None = None  # the last equilibrium, where the next search begins
 
     def rest(self, temperature: float, clearance: float) -> Rest:
-        """Compute equilibrium and films for oil at a temperature in degrees C and a clearance in
-        m."""
+        """Compute the equilibrium and the films for oil at a temperature in degrees C and for a
+        clearance in m."""
         fluid, ring = self.lubricant.at(temperature), self.ring
         film = None if self.models == "paper" else FilmInGap(fluid, ring)
         state, orbit = turning(
@@ -124,7 +125,7 @@ class Scene:
         return self.figures(self.rest(temperature, clearance), clearance)
 
     def figures(self, rest: Rest, clearance: float) -> dict[str, Any]:
-        """Return the same results as `at` from a given `rest`."""
+        """Return the same results as `at`, computed from a given `rest`."""
         state, orbit, films, fluid = rest
         ring = self.ring
         losses = friction_torque.losses(
@@ -162,7 +163,7 @@ class Scene:
         }
 
     def flow(self, fluid: Fluid, orbit: float) -> heat.OilFlow:
-        """Return the flow of oil for balls that orbit at a speed in rad/s."""
+        """Return the oil flow for balls that orbit at `orbit` rad/s."""
         oil = self.oil_flow
         if oil is None:
             return heat.STILL
@@ -197,8 +198,8 @@ def one_node(scene: Scene, conductance: float, ambient: float, clearance: float)
 
 
 def _carried(found, surfaces):
-    """Return the results for flowing oil if inner ring, balls and outer ring have the temperatures
-    `surfaces`."""
+    """Return the results for flowing oil if the inner ring, the balls and the outer ring have the
+    temperatures `surfaces`."""
     flow = found["flow"]
     if not flow.flow:
         return {}

@@ -21,13 +21,14 @@ class Ellipse(NamedTuple):
     """Quantities of a contact that depend only on the shape of the surfaces."""
 
     kappa: Numbers  # a/b
-    first: Numbers  # complete elliptic integral F with modulus^2 = 1 - 1/kappa^2
-    second: Numbers  # complete elliptic integral E with the same modulus
+    first: Numbers  # complete elliptic integral F of the first kind, with modulus^2 = 1 - 1/kappa^2
+    second: Numbers  # complete elliptic integral E of the second kind, with the same modulus
     radius: Numbers  # R in m, where 1/R = 1/R_x + 1/R_y
 
 
 def ellipticity(ratio: ArrayLike) -> Numbers:
-    """Return kappa = a/b for R_y/R_x = `ratio` (any positive number or array), to rounding error.
+    """Return kappa = a/b for R_y/R_x = `ratio` (any positive number or array), accurate to rounding
+    error.
 
     kappa is the root of R_y/R_x = (kappa^2 E - F)/(F - E). Raises `ValueError` if a ratio is not
     positive.
@@ -63,12 +64,12 @@ def hamrock_brewe(r_x: Numbers, r_y: Numbers, printed: bool = False) -> Ellipse:
 
 
 def stiffness(ellipse: Ellipse, modulus: float) -> Numbers:
-    """Return K in Q = K overlap^1.5 in N/m^1.5, for E' = `modulus` in Pa (eq 2)."""
+    """Return K of Q = K overlap^1.5 in N/m^1.5, for E' = `modulus` in Pa (eq 2)."""
     return laws.hertz_stiffness(*ellipse, modulus)
 
 
 def load(stiffness: Numbers, overlap: Numbers) -> Numbers:
-    """Return Q = K overlap^1.5 in N, which is zero if there is no overlap (eq 2)."""
+    """Return the load Q = K overlap^1.5 in N, which is zero if there is no overlap (eq 2)."""
     return laws.hertz_load(stiffness, overlap)
 
 

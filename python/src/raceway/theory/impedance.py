@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Impedance of a film or bearing, and its inverse: capacitance, resistance and film thickness from
-instrument readings. Functions accept numbers or arrays of equal shape in SI units; frequencies are
-in Hz.
+"""Impedance of a film or bearing, and the inverse problem: capacitance, resistance and film
+thickness from instrument readings. Functions accept numbers or arrays of equal shape in SI units;
+frequencies are in Hz.
 
 A film is modelled as a capacitor in parallel with its leak: Z = 1/(1/R + j omega C).
 """
@@ -21,17 +21,17 @@ THINNEST, THICKEST = 1e-3, 1e3  # search range of `film_scale`, relative to the 
 
 
 def leak(resistivity: Numbers, paths: Numbers) -> Numbers:
-    """Return R in ohm between two surfaces, for an oil with `resistivity` (ohm m). `paths` in m is
-    pi a b/h + I over the part that is filled with oil. If the filling is uniform, R C = rho eps_0
-    eps for any geometry."""
+    """Return the resistance R in ohm between two surfaces in an oil of the given `resistivity` (ohm
+    m). `paths` in m is pi a b/h + I over the part that is filled with oil. If the filling is
+    uniform, R C = rho eps_0 eps for any geometry."""
     return resistivity / paths
 
 
 def impedance(
     capacitance: Numbers, frequency: Numbers, resistance: Numbers = np.inf
 ) -> complex | np.ndarray:
-    """Return Z in ohm (complex) of C (F) in parallel with R (ohm; infinite by default) at a
-    frequency in Hz. Raises `ValueError` if the frequency is not positive."""
+    """Return the complex impedance Z in ohm of C (F) in parallel with R (ohm; infinite by default)
+    at a frequency in Hz. Raises `ValueError` if the frequency is not positive."""
     _positive(frequency)
     found = laws.film_impedance(capacitance, 1 / np.asarray(resistance, float), frequency)
     return (found.real + 1j * found.imaginary)[()]
@@ -40,8 +40,8 @@ def impedance(
 def of_bearing(
     found: BearingCapacitors, frequency: float | np.ndarray, resistivity: float = np.inf
 ) -> complex | np.ndarray:
-    """Return Z in ohm of a bearing at a frequency (Hz; a number or an array) in an oil with
-    `resistivity` (ohm m); both films of a ball are in series, and the balls are in parallel."""
+    """Return Z in ohm of a bearing at a frequency (Hz; a number or an array) in an oil of the given
+    `resistivity` (ohm m). Both films of a ball are in series, and the balls are in parallel."""
     sides = (found.inner, found.outer)
     return of_films(
         [side.total for side in sides], [side.paths for side in sides], frequency, resistivity
@@ -62,20 +62,20 @@ def of_films(
 
 
 def leak_of_films(paths: Sequence[Floats], resistivity: float) -> Numbers:
-    """Return R in ohm of a bearing for direct current, from the `paths` (m) of its inner and outer
-    films (..., Z). It is infinite if nothing leaks."""
+    """Return the resistance R in ohm of a bearing to direct current, from the `paths` (m) of its
+    inner and outer films (..., Z). It is infinite if nothing leaks."""
     with np.errstate(divide="ignore"):
         return 1 / _admittance(np.zeros_like(paths), paths, resistivity, 0.0).real
 
 
 def capacitance_of(impedance: complex | np.ndarray, frequency: Numbers) -> Numbers:
-    """Return C in F from a measured Z (ohm, complex), -sin(phi)/(omega |Z|) with phi = arg Z."""
+    """Return C = -sin(phi)/(omega |Z|) in F from a measured Z (ohm, complex), with phi = arg Z."""
     return laws.capacitance_of_impedance(np.real(impedance), np.imag(impedance), frequency)[()]
 
 
 def resistance_of(impedance: complex | np.ndarray) -> Numbers:
-    """Return R in ohm in parallel with the C of `capacitance_of`, |Z|/cos(phi), which is infinite
-    without leakage.
+    """Return the resistance R = |Z|/cos(phi) in ohm that is in parallel with the C of
+    `capacitance_of`. R is infinite without leakage.
 
     >>> z = impedance(2e-10, 1e4, 5e5)
     >>> print(f"{capacitance_of(z, 1e4):.3e} F, {resistance_of(z):.3e} ohm")
@@ -114,8 +114,8 @@ def _admittance(capacitances, paths, resistivity, frequency):
 
 
 def plates_thickness(capacitance: Numbers, area: Numbers, permittivity: Numbers) -> Numbers:
-    """Return h in m under the assumption that C is the capacitance of the plates alone: eps_0 eps
-    A/C with A = pi a b in m^2. The result is too small if C includes other capacitance."""
+    """Return h = eps_0 eps A/C in m, with A = pi a b in m^2, assuming that C is the capacitance of
+    the plates alone. The result is too small if C includes other capacitance."""
     return VACUUM * permittivity * area / capacitance
 
 
@@ -124,7 +124,7 @@ def film_scale(capacitance: float, whole: Callable[[float], float]) -> float:
     measured `capacitance` (F). `whole` computes the model's capacitance in F, which decreases with
     that factor.
 
-    Raises `ValueError` if no factor from 1e-3 to 1e3 fits, in which case the reading includes
+    Raises `ValueError` if no factor from 1e-3 to 1e3 fits. In that case the reading includes
     another capacitance.
 
     >>> round(film_scale(2e-10, lambda scale: 1e-10 / scale), 6)

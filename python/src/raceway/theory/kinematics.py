@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speeds of a bearing whose balls roll without slip, and of balls in a simulated bearing."""
+"""Speeds of the parts of a bearing whose balls roll without slip, and of balls in a run."""
 
 from typing import NamedTuple
 
@@ -12,20 +12,20 @@ from raceway.theory.bearing import Bearing
 
 
 class Frequencies(NamedTuple):
-    """Kinematic frequencies, in the unit of the speeds of the rings."""
+    """Kinematic frequencies, in the same unit as the speeds of the rings."""
 
     cage: Numbers  # FTF, positive if the inner ring's speed is positive
-    outer: Numbers  # BPFO, ball passes over a point of the outer ring
-    inner: Numbers  # BPFI, ball passes over a point of the inner ring
-    spin: Numbers  # BSF, rotations of a ball relative to the cage
+    outer: Numbers  # BPFO, rate of ball passes over a point on the outer ring
+    inner: Numbers  # BPFI, rate of ball passes over a point on the inner ring
+    spin: Numbers  # BSF, rotational speed of a ball relative to the cage
 
 
 def frequencies(
     bearing: Bearing, angle: Numbers = 0.0, inner: Numbers = 1.0, outer: Numbers = 0.0
 ) -> Frequencies:
-    """Return FTF, BPFO, BPFI and BSF at a contact `angle` in rad for rings that turn at the speeds
-    `inner` and `outer`. By default the outer ring is at rest and the frequencies are in orders of
-    the shaft speed.
+    """Return the FTF, BPFO, BPFI and BSF at a contact `angle` in rad, for rings that turn at the
+    speeds `inner` and `outer`. By default, the outer ring is at rest and the frequencies are in
+    orders of the shaft speed.
 
     BSF = (1 - gamma^2 cos^2(angle)) / (2 gamma) |inner - outer|, where gamma is the ratio of ball
     to pitch diameter (Harris, Rolling Bearing Analysis, ch. 10): a ball rolls about an axis that is
@@ -51,8 +51,8 @@ def cosine_of_cage(bearing: Bearing, order: float) -> float:
 
 
 def entrainment(bearing: Bearing, spin: Numbers, angle: Numbers = 0.0) -> Numbers:
-    """Return the entrainment speed in m/s, which is the same at both raceways, for an inner ring at
-    `spin` rad/s.
+    """Return the entrainment speed in m/s, which is the same at both raceways, for an inner ring
+    that turns at `spin` rad/s.
 
     U_r = omega r_pitch (1 - gamma^2)/2 is half the sum of the speeds of both surfaces relative to
     the contact.
@@ -69,8 +69,8 @@ def spall_length(
     a ball and its impact; the inner ring turns at `spin` rad/s.
 
     The impact occurs when the ball is half-way across (Sawalha and Randall, Mech. Syst. Signal
-    Process. 25 (2011) 846). A ball that loses its load over the spall hits later, so that the
-    length is overestimated; `spall.length` takes its flight into account.
+    Process. 25 (2011) 846). A ball that loses its load over the spall hits later, so this formula
+    overestimates the length; `spall.length` takes the flight of the ball into account.
 
     >>> from raceway.theory.bearing import Bearing
     >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -81,8 +81,8 @@ def spall_length(
 
 
 def orbital_speed(x: ArrayLike, y: ArrayLike, vx: ArrayLike, vy: ArrayLike) -> Numbers:
-    """Return (x v_y - y v_x)/r^2 in rad/s for points at `x`, `y` (m) from the axis. Raises
-    `ValueError` for a point on the axis."""
+    """Return the orbital speed (x v_y - y v_x)/r^2 in rad/s of points at `x`, `y` (m) from the
+    axis. Raises `ValueError` for a point on the axis."""
     squared = np.square(x) + np.square(y)
     if np.any(squared == 0):
         raise ValueError("a ball is on the bearing's axis")

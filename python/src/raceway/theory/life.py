@@ -21,8 +21,8 @@ from raceway.theory.cleanliness import contamination
 RELIABILITY: Mapping[float, float] = {90: 1, 95: 0.64, 96: 0.55, 97: 0.47, 98: 0.37, 99: 0.25}
 LARGEST_FACTOR = 50.0  # upper limit of a_ISO
 PERMITTED = 4.2e9  # Pa, largest contact pressure under the static load rating (ISO 76)
-# largest kappa to which a row applies, and the two constants of the row (ISO 281:2007, eqs 31 to
-# 33); the constants of the second row make a_ISO continuous at kappa = 0.4 and 1
+# largest kappa to which a row applies, then the two constants of the row (ISO 281:2007, eqs 31 to
+# 33); the constants in the second row make a_ISO continuous at kappa = 0.4 and 1
 _FACTOR = ((0.4, 2.2649, 0.054381), (1.0, 1.9987, 0.19087), (4.0, 1.9987, 0.071739))
 # exponents of the mean loads for the ring that rotates relative to the load and for the other ring
 # (ISO/TS 16281, eqs 20 and 21)
@@ -32,25 +32,25 @@ CONFORMITY = (0.52, 0.53)
 
 
 class Ratings(NamedTuple):
-    """Load ratings of a bearing from its catalogue in N."""
+    """Catalogue load ratings of a bearing in N."""
 
-    dynamic: float  # C
-    static: float  # C_0
-    fatigue: float  # C_u
+    dynamic: float  # dynamic load rating C
+    static: float  # static load rating C_0
+    fatigue: float  # fatigue load limit C_u
 
 
 class Life(NamedTuple):
     """Rating life of a bearing under given ball loads."""
 
-    reference: float  # 1e6 revolutions, L_10r of ISO/TS 16281
-    equivalent: float  # N, the radial load for which ISO 281 gives the same life
-    factor: float  # a_ISO, NaN if the viscosity is not given
-    modified: float  # 1e6 revolutions, a_ISO L_10r
-    viscosity_ratio: float  # kappa
+    reference: float  # reference life L_10r of ISO/TS 16281, in 1e6 revolutions
+    equivalent: float  # N, radial load for which ISO 281 gives the same life
+    factor: float  # life modification factor a_ISO; NaN if no viscosity is given
+    modified: float  # modified life a_ISO L_10r, in 1e6 revolutions
+    viscosity_ratio: float  # viscosity ratio kappa
 
 
 def ratings(dynamic: float, static: float, pitch_diameter: float) -> Ratings:
-    """Return the `Ratings` with an estimate of the fatigue load limit: C_0/22, which is multiplied
+    """Return the `Ratings` with an estimate of the fatigue load limit, which is C_0/22, multiplied
     by (0.1/D_pw)^0.5 if `pitch_diameter` exceeds 0.1 m (the simple estimate of ISO 281, annex B, as
     commonly quoted; not checked against the standard). Loads are in N and diameters in m."""
     large = max(pitch_diameter / 0.1, 1.0)
@@ -58,9 +58,10 @@ def ratings(dynamic: float, static: float, pitch_diameter: float) -> Ratings:
 
 
 def basic(dynamic: float, load: ArrayLike) -> np.ndarray:
-    """Return L_10 = (C/P)^3 in 1e6 revolutions for loads in N (ISO 281:2007, eq 2).
+    """Return the basic rating life L_10 = (C/P)^3 in 1e6 revolutions for loads in N (ISO 281:2007,
+    eq 2).
 
-    For the bearing of XJTU-SY, with C = 12.82 kN, under 12 kN at 2100 rpm, in hours:
+    For the bearing of XJTU-SY, with C = 12.82 kN, under 12 kN at 2100 rpm, the life in hours is:
 
     >>> round(float(basic(12820.0, 12000.0)) * 1e6 / (60 * 2100), 3)
     9.677
@@ -108,9 +109,9 @@ def reference(
     outer: ArrayLike,
     angle: float = 0.0,
 ) -> float:
-    """Return L_10r in 1e6 revolutions from the loads (N) of the `inner` and `outer` contacts (...,
-    Z) at one or more positions of the balls, for a rotating inner ring (ISO/TS 16281, eqs 20 to
-    22).
+    """Return the reference life L_10r in 1e6 revolutions from the loads (N) of the `inner` and
+    `outer` contacts (..., Z) at one or more positions of the balls, for a rotating inner ring
+    (ISO/TS 16281, eqs 20 to 22).
 
     The loads of several rows and grooves are arranged as in `static.Equilibrium`. Two grooves per
     ring count as two rows: `dynamic` is the rating of all rows, and the contributions of the
@@ -149,10 +150,10 @@ def of_means(
 
 
 def of_duties(lives: ArrayLike, shares: ArrayLike) -> float:
-    """Return the life under several operating points in succession, in the unit of `lives` (N,):
-    1/sum(share/life), where `shares` (N,) are fractions of the revolutions (Palmgren-Miner; ISO/TS
-    16281, clause 5). If the lives are in hours, the shares are fractions of the time. Raises
-    `ValueError` if the shares do not add up to 1.
+    """Return the life under several operating points in succession, 1/sum(share/life), in the unit
+    of `lives` (N,); `shares` (N,) are fractions of the revolutions (Palmgren-Miner; ISO/TS 16281,
+    clause 5). If the lives are in hours, the shares are fractions of the time. Raises `ValueError`
+    if the shares do not add up to 1.
 
     >>> round(of_duties([1000.0, 100.0], [0.9, 0.1]), 1)
     526.3
@@ -203,8 +204,8 @@ def minimum_load(factor: float, viscosity: float, rpm: float, mean_diameter: flo
     instead of rolling: 1000 k_r (nu n/1000)^(2/3) (d_m/100)^2 with nu in mm2/s and d_m in mm.
 
     `factor` is k_r from the maker's product table, `viscosity` is nu in mm2/s, and `mean_diameter`
-    is the mean of bore and outside diameter in m. The symbols are those on SKF's pages about loads
-    on deep groove bearings. The formula is quoted from memory and is for information only.
+    is the mean of bore and outside diameter in m. The symbols are those used on SKF's pages about
+    loads on deep groove bearings. The formula is quoted from memory and is for information only.
 
     >>> round(minimum_load(0.025, 46.0, 1500.0, 0.060), 1)
     151.4

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Basic load ratings of a row of balls, C (ISO 281:2007) and C_0 (ISO 76:2006), and the inverse:
-the balls that have given ratings.
+"""Basic load ratings C (ISO 281:2007) and C_0 (ISO 76:2006) of a row of balls, and the inverse
+problem of finding the balls that have given ratings.
 
 The tables of f_c and f_0 are valid for groove radii up to 0.52 (inner) and 0.53 (outer) of the ball
 diameter. They are taken from public calculators and were not checked against the standards. One
-calculator has f_0 = 15.7 at 0.06, where interpolation between the adjacent values gives 15.9.
+calculator has f_0 = 15.7 at 0.06, whereas interpolation between the adjacent values gives 15.9.
 """
 
 import math
@@ -29,8 +29,8 @@ _FC = (
 )
 _STEP = 0.01
 MATERIAL = 1.3  # b_m of ISO 281 for ball bearings made of modern steel
-LARGE = 25.4  # mm, ball diameter above which its exponent in C is different (from memory)
-FULLEST = 0.95  # largest fraction of the pitch circle that balls take up, leaving room for the cage
+LARGE = 25.4  # mm, C has another exponent of the ball diameter above this value (from memory)
+FULLEST = 0.95  # largest fraction of the pitch circle occupied by balls, to leave room for the cage
 # mm: ball diameters are multiples of 1/64 in or, if none is close enough, of 0.5 mm
 INCH_STEP, METRIC_STEP, NEAR = 25.4 / 64, 0.5, 0.015
 
@@ -85,8 +85,8 @@ def dynamic(number: int, ball: float, pitch: float, angle: float = 0.0, *, rows:
 
 
 def number(static_rating: float, ball: float, pitch: float, angle: float = 0.0) -> int:
-    """Return the number of balls of diameter `ball` (m) for which C_0 is closest to a rating in N;
-    the other arguments are as in `dynamic`.
+    """Return the number of balls of diameter `ball` (m) for which C_0 is closest to `static_rating`
+    (N); the other arguments are as in `dynamic`.
 
     >>> number(17100.0, 7.938e-3, 54e-3, math.radians(25))
     19
@@ -103,7 +103,8 @@ def balls(
     *,
     rows: int = 1,
 ) -> Balls:
-    """Return the `Balls` of a row in a bearing with the given ratings (N) on a `pitch` circle (m).
+    """Return the `Balls` of one row on a `pitch` circle (m) in a bearing with the given ratings
+    (N).
 
     For each number of balls, the diameter is computed from C_0. The number is then chosen such that
     C by ISO 281, multiplied by the maker's `dynamic_factor`, is closest to the rating. Finally, the

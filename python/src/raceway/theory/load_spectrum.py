@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Life and equivalent load under a spectrum of loads, which consists of points with time shares.
+"""Life and equivalent load under a load spectrum, i.e. a list of points with time shares.
 
-Damage adds up by revolutions (Palmgren-Miner, as in ISO 281 and ISO/TS 16281): 1/L is the sum of
-u_i/L_i, where u_i is the fraction of the revolutions made at point i. The equivalent load is the
-steady load that gives the same life, (sum q_i n_i P_i^p/sum q_i n_i)^(1/p) with time shares q_i,
+Damage accumulates with revolutions (Palmgren-Miner, as in ISO 281 and ISO/TS 16281): 1/L is the sum
+of u_i/L_i, where u_i is the fraction of the revolutions made at point i. The equivalent load is the
+steady load that gives the same life, (sum q_i n_i P_i^p/sum q_i n_i)^(1/p), with time shares q_i,
 speeds n_i and p = 3 for ball bearings (makers' catalogues: NSK, average of fluctuating load; SEED
 guide, 4.4).
 """
@@ -19,7 +19,7 @@ from raceway.files import FilePath
 from raceway.theory import life
 from raceway.units import prefixed
 
-# {column: (least, greatest, unit, default)} for the columns of a sweep's table and the time share
+# {column: (smallest, largest, unit, default)} for the columns of a sweep's table and the time share
 COLUMNS = {
     "load": (0.0, 1e6, "N", 0.0),
     "axial": (-1e6, 1e6, "N", 0.0),
@@ -28,27 +28,27 @@ COLUMNS = {
 }
 LIFE = "life_reference_Mrev"
 KEYS = ("equivalent_load_N", LIFE, "dynamic_rating_N")
-# {column of a sweep's table: result of the run that is used if the table does not have the column}
+# {column of a sweep's table: result of the run that is used if the table lacks the column}
 OF_RUN = {"load": "load_N", "rpm": "rpm"}
 
 
 class Duty(NamedTuple):
     """One point of a load spectrum."""
 
-    load: float  # N, radial
-    axial: float  # N
+    load: float  # N, radial load
+    axial: float  # N, axial load
     rpm: float
     share: float  # share of the time, in any unit
 
 
 def read(path: FilePath) -> tuple[list[Duty], list[dict[str, float]]]:
-    """Read the points in the CSV file `path`. Return them together with a list that contains the
-    equivalent load and the rating of each point, keyed by `KEYS`, if the file is the `results.csv`
-    of a sweep, and is empty otherwise.
+    """Read the points in the CSV file `path`, and return them with a list of dicts. If the file is
+    the `results.csv` of a sweep, the list contains the equivalent load and the rating of each
+    point, keyed by `KEYS`; otherwise it is empty.
 
     The first line contains names from `COLUMNS`, including rpm, and each point has a row. The table
-    of a sweep has additional columns. Raises `InputError`, stating the point and the value that is
-    wrong, and also if a point of a sweep has not finished or has no equivalent load."""
+    of a sweep has additional columns. Raises `InputError` with the offending point and value, and
+    also if a point of a sweep is unfinished or has no equivalent load."""
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
             rows = [row for row in csv.reader(file) if any(row) and row[0].lstrip()[:1] != "#"]
@@ -71,7 +71,7 @@ def read(path: FilePath) -> tuple[list[Duty], list[dict[str, float]]]:
 
 
 def _run(path, number, point):
-    """Return the results of a point in a sweep, in which the rating may be missing."""
+    """Return the results of one point of a sweep; the rating may be missing."""
     where = f"{path}: point {number} ({point['point']})"
     if point["status"] != "finished":
         why = f": {point['message']}" if point.get("message") else ""
@@ -107,8 +107,8 @@ def _duty(path, number, point):
 def of_sweep(
     duties: Sequence[Duty], runs: Sequence[Mapping[str, float]], dynamic: float | None = None
 ) -> dict[str, Any]:
-    """Return the same results as `of_points` for the points of a sweep, using the results of their
-    `runs`, which are computed from the ball loads in the runs. `dynamic` is C in N of all rows; by
+    """Return the same results as `of_points` for the points of a sweep, but from the results of
+    their `runs`, which are computed from the ball loads. `dynamic` is C in N of all rows; by
     default it is taken from the runs. Raises `InputError` if there is no rating or more than
     one."""
     known = {one["dynamic_rating_N"] for one in runs if "dynamic_rating_N" in one}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Properties of oils as functions of temperature and pressure: Walther, Vogel, Roelands, Barus.
+"""Properties of oils as functions of temperature and pressure (Walther, Vogel, Roelands, Barus).
 Temperatures are in degrees C.
 
 A `Lubricant` contains the physical data, and `Lubricant.at` returns the `Fluid` at a temperature.
@@ -26,7 +26,7 @@ class Fluid(NamedTuple):
     pressure_viscosity: Numbers  # xi, 1/Pa
     temperature_viscosity: Numbers  # beta = -d(ln eta)/dT, 1/K
     density: Numbers  # kg/m^3
-    permittivity: Numbers  # relative
+    permittivity: Numbers  # relative permittivity
     conductivity: float  # k_f, W/(m K)
     heat_capacity: float  # J/(kg K)
     eyring_stress: float  # tau_0, Pa
@@ -40,13 +40,13 @@ class Fluid(NamedTuple):
 
 @dataclass(frozen=True)
 class Walther:
-    """lg lg(nu + 0.7) = A - B lg T, given the kinematic viscosities in mm^2/s at 40 and 100 C.
+    """lg lg(nu + 0.7) = A - B lg T, defined by the kinematic viscosities in mm^2/s at 40 and 100 C.
 
     See ASTM D341. Raises `ValueError` unless low > high > 0.3, the limit of the double logarithm.
     """
 
-    low: float  # at 40 C
-    high: float  # at 100 C
+    low: float  # kinematic viscosity at 40 C
+    high: float  # kinematic viscosity at 100 C
 
     def __post_init__(self):
         if not (np.isfinite(self.low) and self.low > self.high > 0.3):
@@ -77,7 +77,7 @@ class Vogel:
 
 
 def _usual(name):
-    """Return a field whose default is the value used in decks for a constant of an oil."""
+    """Return a field whose default is the default of the deck variable `name`."""
     return field(default_factory=lambda: float(variable_table.default(name)))
 
 
@@ -94,11 +94,11 @@ class Lubricant:
     """
 
     law: Walther | Vogel
-    density: float  # at 40 C, kg/m^3
-    thinning: float  # kg/(m^3 K), decrease of the density with temperature
-    pressure_viscosity: float  # at 40 C, 1/Pa
-    pressure_viscosity_hot: float  # at 100 C, 1/Pa
-    permittivity: float  # at 40 C
+    density: float  # kg/m^3, density at 40 C
+    thinning: float  # kg/(m^3 K), rate at which the density decreases with temperature
+    pressure_viscosity: float  # 1/Pa, xi at 40 C
+    pressure_viscosity_hot: float  # 1/Pa, xi at 100 C
+    permittivity: float  # relative permittivity at 40 C
     conductivity: float = _usual("oil_conductivity")  # W/(m K)
     heat_capacity: float = _usual("oil_heat_capacity")  # J/(kg K)
     eyring_stress: float = _usual("eyring_stress")  # Pa
@@ -146,18 +146,18 @@ def fva3(pressure: Numbers, temperature: Numbers) -> Numbers:
 
 
 def roelands_exponent(viscosity: Numbers, pressure_viscosity: Numbers) -> Numbers:
-    """Return z = 1.96e8 xi/(ln eta_0 + 9.67), for which Roelands and Barus have equal slopes at p =
-    0."""
+    """Return the exponent z = 1.96e8 xi/(ln eta_0 + 9.67), with which Roelands and Barus have equal
+    slopes at p = 0."""
     return laws.roelands_exponent(viscosity, pressure_viscosity)
 
 
 def roelands(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers) -> Numbers:
-    """Return the viscosity in Pa s under `pressure` in Pa (Roelands 1966), ln eta = ln eta_0 + (ln
-    eta_0 + 9.67) ((1 + p/1.96e8)^z - 1)."""
+    """Return the viscosity eta in Pa s under `pressure` p in Pa (Roelands 1966): ln eta = ln eta_0
+    + (ln eta_0 + 9.67) ((1 + p/1.96e8)^z - 1)."""
     return laws.roelands(viscosity, pressure_viscosity, pressure)
 
 
 def barus(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers) -> Numbers:
-    """Return eta_0 exp(xi p) in Pa s (Barus 1893). The law should be used for the inlet only,
-    because it gives much too high values at Hertz pressures."""
+    """Return the viscosity eta_0 exp(xi p) in Pa s (Barus 1893). The law should be used for the
+    inlet only, because it gives much too high values at Hertz pressures."""
     return viscosity * np.exp(pressure_viscosity * pressure)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film and capacitance of a bearing in static equilibrium with balls that roll without slip, from
-statics, kinematics and film thickness.
+"""Films and capacitance of a bearing in static equilibrium whose balls roll without slip, computed
+from statics, kinematics and film thickness.
 
-The entrainment speed of a contact is that of pure rolling at its own contact angle or, for a ball
-on several grooves, it follows from the motion of the ball (`ball_motion`). The film thickness is
-that of Masjedi and Khonsari under the elastic load of the contact (eqs 6, 7, 9), and the
-capacitance is computed with eqs 8 and 10-12.
+The entrainment speed of a contact is that of pure rolling at its own contact angle. For a ball on
+several grooves, it follows instead from the motion of the ball (`ball_motion`). The film thickness
+is computed with the formula by Masjedi and Khonsari for the elastic load of the contact (eqs 6, 7,
+9), and the capacitance with eqs 8 and 10-12.
 """
 
 from collections.abc import Callable
@@ -23,15 +23,15 @@ from raceway.theory.static import Equilibrium, equilibrium
 
 
 class Film(NamedTuple):
-    """Films on one raceway, in arrays with the same shape as in `static.Contacts`; zero if there is
-    no contact."""
+    """Films on one raceway, in arrays with the same shape as in `static.Contacts`. Values are zero
+    if there is no contact."""
 
-    entrainment: Floats  # m/s
+    entrainment: Floats  # m/s, entrainment speed
     h_min: Floats  # m
     h_c: Floats  # m
     ratio: Floats  # Lambda
     capacitance: Floats  # F
-    rolling: Floats  # m/s, as returned by `ball_motion.speeds`
+    rolling: Floats  # m/s, rolling speed as returned by `ball_motion.speeds`
 
     __repr__ = short
 
@@ -41,8 +41,9 @@ class Lubrication(NamedTuple):
 
     inner: Film
     outer: Film
-    ball: Floats  # (Z,), F: inner and outer in series (eq 12), grooves of one ring in parallel
-    total: float  # F: all balls in parallel (eq 12), without background
+    # (Z,), F, inner and outer films in series (eq 12), grooves of one ring in parallel
+    ball: Floats
+    total: float  # F, all balls in parallel (eq 12), without background
 
     __repr__ = short
 
@@ -55,9 +56,10 @@ def lubricate(
     clearance: float = 0.0,
     factor: Callable[[Floats], Floats] | None = None,
 ) -> Lubrication:
-    """Compute the `Lubrication` of an `Equilibrium` with the oil `inputs.Oil`, for an inner ring at
-    `speed` rad/s. `clearance` in m must be the one used for the equilibrium. `factor` computes a
-    factor on the film thickness from the entrainment speed in m/s; by default the factor is 1.
+    """Compute the `Lubrication` of an `Equilibrium` with the oil `inputs.Oil`, for an inner ring
+    that turns at `speed` rad/s. `clearance` in m must be the one used for the equilibrium. `factor`
+    computes a factor on the film thickness from the entrainment speed in m/s; by default the factor
+    is 1.
 
     >>> from raceway.theory.bearing import Bearing
     >>> from raceway.inputs import Oil
@@ -106,10 +108,10 @@ def _film(bearing, side, contact, speeds, oil, clearance, factor):
 
 
 def orbit(bearing: Bearing, state: Equilibrium, speed: float) -> float | Floats:
-    """Return the orbital speed of the balls in rad/s for an inner ring at `speed` rad/s. The balls
-    roll at the mean contact angle, weighted by the loads on both raceways, because all balls of a
-    row share one cage (Harris, ch. 10). If there are several rows, the result has one speed for
-    each ball (Z,). Raises `NoEquilibrium` if no ball carries load."""
+    """Return the orbital speed of the balls in rad/s for an inner ring that turns at `speed` rad/s.
+    The balls roll at the mean contact angle, weighted by the loads on both raceways, because all
+    balls of a row share one cage (Harris, ch. 10). If there are several rows, the result has one
+    speed for each ball (Z,). Raises `NoEquilibrium` if no ball carries load."""
     load = np.vstack([state.inner.load, state.outer.load])
     if not load.any():
         raise NoEquilibrium("no ball carries load: the ring is held where it touches no ball")
@@ -126,10 +128,10 @@ def orbit(bearing: Bearing, state: Equilibrium, speed: float) -> float | Floats:
 def turning(
     bearing: Bearing, speed: float, *loads: float, **options: Any
 ) -> tuple[Equilibrium, float | Floats]:
-    """Return (`Equilibrium`, `orbit` in rad/s), including the centrifugal load of balls that roll
-    at an inner ring speed of `speed` rad/s; loads and options are as in `static.equilibrium`. The
-    orbital speed depends on the contact angles and vice versa, so both are determined by iteration.
-    With several grooves, the film in the gap is part of the iteration.
+    """Return the `Equilibrium` and the `orbit` in rad/s, including the centrifugal load of balls
+    that roll on an inner ring at `speed` rad/s. Loads and options are as in `static.equilibrium`.
+    The orbital speed depends on the contact angles and vice versa, so both are determined by
+    iteration. With several grooves, the film in the gap is part of the iteration.
     """
     near, film = options.get("near"), options.get("film")
     orbital = orbit(bearing, near, speed) if near else speed * kinematics.frequencies(bearing).cage

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of a bearing from formulas of its makers, for comparison with the physical
+"""Friction torque of a bearing from its makers' formulas, for comparison with the physical
 losses.
 
 Units are those of the catalogues: mm, N, rpm, mm^2/s, and N mm. SKF's model for deep groove and
 single-row angular contact ball bearings is taken from Rolling bearings 10000 EN 2013 (pages 105 and
-106); the constants of the latter are in the General Catalogue 6000, 2006 (page 92 of the Russian
-edition, from the text layer in github.com/ArtemFilin1990/Mar).
+106). The constants for angular contact bearings are in the General Catalogue 6000, 2006 (page 92 of
+the Russian edition, from the text layer in github.com/ArtemFilin1990/Mar).
 """
 
 from dataclasses import dataclass
@@ -30,9 +30,9 @@ CONSTANTS = {
 ANGULAR = {"72": (5.03e-7, 1.97, 1.90e-12, 1.30e-2, 0.68, 1.91e-12)}
 SAME = {"630": "60", "622": "62", "623": "63", "161": "160", "628": "618"}
 BOUNDARY, MINERAL, SYNTHETIC = 0.12, 0.05, 0.04  # mu_bl, and mu_EHL for the two kinds of oil
-OIL, GREASE = 3e-8, 6e-8  # K_rs for low oil bath and jet, and for grease and oil-air
-K_Z, K_Z_ANGULAR = 3.1, 4.4  # for deep groove and single-row angular contact ball bearings
-# values read from SKF's diagram: level over mean diameter, and V_M
+OIL, GREASE = 3e-8, 6e-8  # K_rs for a low oil bath and oil jet, and for grease and oil-air
+K_Z, K_Z_ANGULAR = 3.1, 4.4  # for deep groove and for single-row angular contact ball bearings
+# values read from SKF's diagram: ratio of oil level to mean diameter, and V_M
 LEVEL = np.array([0, 0.065, 0.109, 0.148, 0.193, 0.252, 0.365, 0.5, 0.66, 0.87, 1.07, 1.2])
 CHURNING = 1e-5 * np.array([0, 2.9, 7.35, 13.8, 21.7, 31.6, 44.6, 56.6, 67.5, 83.6, 100.7, 124.6])
 
@@ -66,7 +66,7 @@ class Boundary:
 
     @property
     def mean(self) -> float:
-        """d_m = (d + D)/2, mm."""
+        """Mean diameter d_m = (d + D)/2 in mm."""
         return (self.bore + self.outside) / 2
 
     @property
@@ -100,11 +100,11 @@ def skf(
     seal: float = 0.0,
 ) -> Torque:
     """Compute the `Torque` under a `radial` and an `axial` load in N at `speed` in rpm, with an oil
-    whose `kinematic` viscosity is in mm^2/s.
+    of `kinematic` viscosity in mm^2/s.
 
     `replenishment` is K_rs, and `boundary` and `film` are mu_bl and mu_EHL. `level` is the height
-    of the oil above the lowest point of the raceway in mm (0: no drag; at most 1.2 d_m, otherwise
-    `ValueError` is raised). `seal` is the torque of the seals in N mm (0 for an open bearing).
+    of the oil above the lowest point of the raceway in mm (0: no drag). Raises `ValueError` if it
+    exceeds 1.2 d_m. `seal` is the torque of the seals in N mm (0 for an open bearing).
     """
     d, outside, mean = bearing.bore, bearing.outside, bearing.mean
     rolled, slid = _geometric(bearing, radial, np.abs(axial), speed)
@@ -166,7 +166,8 @@ def palmgren(
     bath: float = 2.0,
     static_load: Numbers | None = None,
 ) -> tuple[Numbers, Numbers]:
-    """Return (speed-dependent M0, load-dependent M1) in N mm by Palmgren (from memory, unchecked).
+    """Return Palmgren's torques in N mm, (M0 due to speed, M1 due to load) (from memory,
+    unchecked).
 
     `bath` is f0, which is about 2 in an oil bath and is not the f0 in SKF's product tables. f1 is
     0.0004 (F_s/C0)^0.55 with F_s = `static_load` in N, by default equal to `load`.

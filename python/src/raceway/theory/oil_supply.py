@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Kinds of lubrication, which determine the inlet of rolling contacts, SKF's starvation constant
+"""Kinds of lubrication, which determine the inlet of rolling contacts, SKF's starvation constant,
 and the volume fraction of oil around the balls (docs/tribology, Kinds of lubrication)."""
 
 from typing import NamedTuple
@@ -14,7 +14,8 @@ class Supply(NamedTuple):
     """The way in which a bearing is lubricated."""
 
     kind: str = "bath"  # one of `KINDS`
-    level: float = 0.5  # level of a bath above the lowest raceway, in ball diameters
+    # oil level of a bath above the lowest point of the raceway, in ball diameters
+    level: float = 0.5
 
 
 BATH = Supply()  # the oil level is at the middle of the lowest ball

@@ -10,9 +10,9 @@ from raceway.theory.static import Equilibrium
 
 
 def balls(state: Equilibrium, films: Lubrication | None) -> list[dict[str, Any]]:
-    """Return a list with one dict per ball: loads, contact angles, pressures, semi-axes and, unless
-    `films` is None, the films. If the rings have several grooves, each ball has a list of
-    `contacts`, whose keys are the names used in a record."""
+    """Return a list with one dict per ball, which contains loads, contact angles, pressures,
+    semi-axes and, unless `films` is None, the films. If the rings have several grooves, each ball
+    has a list of `contacts` instead, with the same key names as in a record."""
     found = [{"azimuth_rad": float(one)} for one in state.azimuth]
     if films is not None:
         for ball, value in zip(found, films.ball):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results of a bearing at one operating point from theory: `figures` returns a dict, and `table`
-(`operating_table`) formats it as text.
+"""Results of a bearing at one operating point from theory. `figures` returns them as a dict, and
+`table` (`operating_table`) formats that dict as text.
 
-The keys are a public interface for scripts; quantities that `summary` also returns have the same
+The keys are a public interface for scripts. Quantities that `summary` also returns have the same
 keys.
 """
 
@@ -68,27 +68,27 @@ def figures(
     supply: Supply = BATH,
     cage: cage_drag.CageRing | None = None,
 ) -> dict[str, Any]:
-    """Return a dict of results in SI units, which are texts, numbers or None; `balls` is a list
-    with one dict per ball.
+    """Return a dict of results in SI units: texts, numbers or None. `balls` is a list with one dict
+    per ball.
 
-    `bearing` and `lubricant` are names or paths of data files, which are looked up in the inputs
-    `folder` (`catalogue.find`). The other arguments are as in `static.equilibrium`, with `rpm` of
-    the inner ring and the load along x. Degrees of freedom that are not `held` are free. `models`
-    is one of `models.STATICS`: "full" includes the film in the gap, inlet shear heating and the
-    friction torque, with the `spin_law` of `friction_torque.losses`; "eyring" also includes
-    Eyring's stress with its limit in the film. `temperature` is the lubricant temperature in
+    `bearing` and `lubricant` are names or paths of data files, which are searched for in the inputs
+    `folder` (`catalogue.find`). The other arguments are as in `static.equilibrium`, with the speed
+    of the inner ring in `rpm` and the load along x. Degrees of freedom that are not `held` are
+    free. `models` is one of `models.STATICS`: "full" includes the film in the gap, inlet shear
+    heating and the friction torque, with the `spin_law` of `friction_torque.losses`; "eyring" also
+    uses the Eyring stress with its limit in the film. `temperature` is the lubricant temperature in
     degrees C, by default the value in its file. `cleanliness` is a key of
     `cleanliness.CLEANLINESS`. `four_point` in rad makes the bearing a four-point contact bearing
-    with that angle, which may also be specified in the bearing's file; each of `balls` then has a
-    list of `contacts`. `double_row` gives the bearing two rows, which `balls` lists one after the
-    other. `dynamic` is C in N of a row and replaces the value in the file. `supply` is the kind of
-    lubrication, and `cage` a cage that is one ring, whose losses are included in the friction
-    torque. In the result, `absent` maps the keys that the models do not compute to the reason.
+    with that angle; the bearing's file can specify it too, and each of `balls` then has a list of
+    `contacts`. `double_row` gives the bearing two rows, which `balls` lists one after the other.
+    `dynamic` is C in N of one row and replaces the value in the file. `supply` is the kind of
+    lubrication. `cage` is a cage that is one ring; its losses are included in the friction torque.
+    In the result, `absent` maps each key that the models do not compute to the reason.
 
     As in a deck, the ring is held along z if there is no axial load (`inputs.held`).
 
-    Raises `RacewayError`: `NoEquilibrium`, or `InputError` for a data file. Raises `ValueError` for
-    unknown models or another unknown word.
+    Raises `NoEquilibrium`, or `InputError` for a faulty data file (both are `RacewayError`), and
+    `ValueError` if the models or another choice are unknown.
     """
     path = catalogue.find("bearings", bearing, folder)
     if models not in model_names.STATICS:
@@ -149,7 +149,7 @@ def figures(
     result.update(_loads(state))
     pressure = max(result["p_max_inner_Pa"], result["p_max_outer_Pa"])
     result.update(static_safety=life.static_safety(pressure))
-    # the ratings in the file do not apply to a deep groove bearing to which an option adds grooves
+    # the ratings in the file do not apply to a deep groove bearing that is modified by an option
     if four_point == stated or dynamic is not None:
         angle = nominal if four_point is None else four_point
         result.update(_life(path, body, state, rpm, fluid, cleanliness, angle, dynamic))
@@ -222,8 +222,8 @@ def figures(
 
 
 def _wide(body):
-    """Return the warning that the rating used for the life is for narrower grooves, if it
-    applies."""
+    """Return a list with a warning that the rating used for the life applies only to narrower
+    grooves, which is empty if the grooves are narrow enough."""
     if min(wide := life.wide_grooves(body)) >= 1 - 1e-9:
         return []
     return [
@@ -272,8 +272,8 @@ def _complete(fluid, models):
 
 
 def _makers(body, boundary, load, axial, rpm, viscosity):
-    """Return the torque by the makers' formulas, which are for one groove per ring, if the file has
-    the required data."""
+    """Return the torque by the makers' formulas, which are valid for one groove per ring, if the
+    file has the required data."""
     if boundary is None or body.layout != Layout():
         return dict(torque_skf_N_m=None, torque_palmgren_N_m=None)
     level = 500 * body.ball_diameter  # mm above the lowest raceway, i.e. at the middle of a ball
@@ -284,8 +284,8 @@ def _makers(body, boundary, load, axial, rpm, viscosity):
 
 
 def _basic_life(body, figures, angle):
-    """Return L_10 of ISO 281 with its load; the table of load factors in the standard is for one
-    row and one groove per ring."""
+    """Return L_10 of ISO 281 and the load for which it is computed. The standard's table of load
+    factors is valid for one row and one groove per ring."""
     axial, layout = figures["axial_N"], body.layout
     if axial and layout != Layout():
         return {}
@@ -302,7 +302,7 @@ def _basic_life(body, figures, angle):
 
 
 def _life(path, body, state, rpm, fluid, cleanliness, angle, dynamic):
-    """Return the life of a bearing whose `dynamic` load rating is in N, by default from its
+    """Return the life of a bearing with the `dynamic` load rating in N, by default the one in its
     file."""
     result = {}
     stated, rows = inputs.minimum_load(path), len(body.layout.rows)
@@ -399,14 +399,14 @@ def _loads(state):
 
 
 def _rounded(values):
-    """Set values below 1e-9 of the largest to zero, because by symmetry they are rounding
+    """Set values below 1e-9 of the largest value to zero, because by symmetry they are rounding
     errors."""
     return np.where(np.abs(values) > 1e-9 * np.abs(values).max(), values, 0.0)
 
 
 def _plain(value):
-    """Convert `value` for JSON; NaN, e.g. the capacitance of contacts without a film, becomes
-    None."""
+    """Convert `value` for JSON. NaN becomes None, e.g. the capacitance of contacts without a
+    film."""
     if isinstance(value, dict):
         return {key: _plain(one) for key, one in value.items()}
     if isinstance(value, list):

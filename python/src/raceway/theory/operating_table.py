@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Format the results of `operating_point` as text."""
+"""Text tables of the results of `operating_point`."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -21,7 +21,7 @@ TOPICS = {
         Row("moment_x_N_m", "moment about x", "N m"),
         Row("moment_y_N_m", "moment about y", "N m"),
         row("clearance_m"),
-        Row("four_point_rad", "contact angle of four points", "°", "of centred balls"),
+        Row("four_point_rad", "four-point contact angle", "°", "of centred balls"),
         Row("row_spacing_m", "distance of the rows", "m"),
         Row("row_preload_m", "preload of each row", "m"),
         Row("arrangement", "arrangement of the rows", None),

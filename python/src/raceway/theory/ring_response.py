@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Stiffness and damping of a bearing's ring from statics and films, either at one position of the
+"""Stiffness and damping of a bearing ring from statics and films, either at one position of the
 balls or as mean and range over a ball pass.
 
-Damping is due only to the films and the steel of the contacts; seats, housing, grease and friction
-are not included.
+Damping includes only the films and the steel of the contacts. Seats, housing, grease and friction
+are neglected.
 """
 
 import math
@@ -24,7 +24,7 @@ from raceway.theory.small_motion import Response, response
 from raceway.theory.static import Equilibrium, equilibrium
 
 PHASES = 8  # number of positions of the balls in a ball pass
-# laws of the contact dampers, by models
+# laws of the contact dampers for each of the models
 LAWS = {
     "paper": "steel and squeeze film, eqs 4 and 5",
     "full": "steel, eq 4, and film branch",
@@ -33,15 +33,16 @@ LAWS["eyring"] = LAWS["full"]
 
 
 class Dampers(NamedTuple):
-    """Dampers in parallel with the springs of the contacts (C, Z), in the order used in `seat`."""
+    """Dampers in parallel with the springs of the contacts (C, Z), in the same order as in
+    `seat`."""
 
     damping: Floats  # N s/m
     stiffening: Floats  # N/m
 
 
 class OverPass(NamedTuple):
-    """`Response` over a ball pass; the least and greatest values are taken for each entry
-    separately."""
+    """The `Response` over a ball pass. The smallest and largest values are determined separately
+    for each entry."""
 
     mean: Response
     least: Response
@@ -58,9 +59,9 @@ def dampers(
     clearance: float = 0.0,
     frequency: float = 0.0,
 ) -> Dampers:
-    """Return the `Dampers` of the contacts at an equilibrium with its films, which are the same as
-    in a simulation with these `models` (a key of `LAWS`). `clearance` in m must be the one used for
-    `state`.
+    """Return the `Dampers` of the contacts at the equilibrium `state` with its films, which are the
+    same as in a simulation with these `models` (a key of `LAWS`). `clearance` in m must be the one
+    used for `state`.
 
     The film branch depends on the `frequency` of the motion in rad/s. Raises `ValueError` for
     unknown models.
@@ -96,8 +97,8 @@ def dampers(
 
 
 def over_pass(at: Callable[[float], Response], balls: int, phases: int = PHASES) -> OverPass:
-    """Evaluate `at`(phase in rad) at equidistant `phases` of the ball pass of `balls` balls, and
-    return the result as an `OverPass`.
+    """Evaluate `at`(phase in rad) at `phases` equidistant positions within one ball pass of a
+    bearing with `balls` balls, and return the results as an `OverPass`.
 
     >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -131,9 +132,10 @@ def turning_ring(
     """Return the `OverPass` under a radial load along x and an axial load (N), with the inner ring
     at `speed` rad/s.
 
-    Without an `oil` there is no damping. The `models` "full" also need the `fluid`. `frequency` of
-    the motion is in rad/s, 0 for slow motion. `options` (clearance, moment, held and others) are
-    passed to `static.equilibrium`. Raises `NoEquilibrium`.
+    If no `oil` is given, there is no damping. The `models` "full" also need the `fluid`.
+    `frequency` is the frequency of the motion in rad/s, 0 for slow motion. `options` (clearance,
+    moment, held and others) are passed to `static.equilibrium`. Raises `NoEquilibrium` if no
+    equilibrium is found.
     """
     film = None
     if oil is not None and speed and models == "full":
@@ -141,7 +143,7 @@ def turning_ring(
             raise ValueError("models full need the fluid")
         film = FilmInGap(fluid, speed)
     clearance = options.get("clearance", 0.0)
-    # without the film, which hardly affects the contact angles but makes the solution slow
+    # the film is omitted because it hardly affects the contact angles but slows the solution down
     _, orbit = turning(bearing, speed, load, axial, **options)
 
     def at(phase):

@@ -19,9 +19,10 @@ def hydrodynamic(
     speed: Numbers,
     load: Numbers,
 ) -> Numbers:
-    """Return the force f in N; the power dissipated in the contact is 2 f u. The formula is
-    Biboulet and Houpert 2010, part 2, eq 32, written by Balan et al. 2015 with powers of U = eta
-    u/(E' R_x), W and R_y/R_x, which differs by less than 0.6 % for a ball bearing.
+    """Return the force f in N, for which the power dissipated in the contact is 2 f u. The formula
+    is eq 32 of Biboulet and Houpert 2010, part 2. It is used in the form by Balan et al. 2015 with
+    powers of U = eta u/(E' R_x), W and R_y/R_x, which differs by less than 0.6 % for a ball
+    bearing.
 
     eta is in Pa s, E' in Pa, R_x and R_y in m, u in m/s and Q in N. The formula is valid for kappa
     up to 60 and p_max from 0.06 to 4 GPa. The force is zero at zero speed and at zero load.
@@ -30,21 +31,21 @@ def hydrodynamic(
 
 
 def inlet(length: float, h_c: Numbers, b: Numbers, r_x: Numbers) -> Numbers:
-    """Return the fraction of `hydrodynamic` that remains with an inlet of `length` in multiples of
-    b, which is between 1/2 and 1. A length of 0 means fully flooded and 1 is the shortest inlet.
-    h_c, b and R_x are in m."""
+    """Return the fraction of `hydrodynamic`, between 1/2 and 1, that remains if the inlet has the
+    given `length` in multiples of b. A length of 0 means a fully flooded inlet, and 1 is the
+    shortest possible inlet. h_c, b and R_x are in m."""
     return laws.rolling_inlet(length, h_c, b, r_x)
 
 
 def couple(force: Numbers, r_x: Numbers) -> Numbers:
-    """Return the couple 2 f R_x in N m of a hydrodynamic force f; its power at Omega = u/R_x is 2 f
+    """Return the couple 2 f R_x in N m of a hydrodynamic force f. Its power at Omega = u/R_x is 2 f
     u."""
     return 2 * force * r_x
 
 
 def hysteresis(load: Numbers, b: Numbers, loss: float) -> Numbers:
-    """Return the couple alpha Q 2b/(3 pi) in N m for a load Q in N and the semi-axis b along
-    rolling in m; `loss` is alpha, 0.005 to 0.05 for steel (Schwarz et al. 2023; Johnson 1985,
+    """Return the couple alpha Q 2b/(3 pi) in N m for a load Q in N and a semi-axis b along rolling
+    in m. `loss` is alpha, which is 0.005 to 0.05 for steel (Schwarz et al. 2023; Johnson 1985,
     section 9.4).
 
     This is the couple of a line contact; see also `hysteresis_strips`.

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rotor whose matrices are given by a rotor dynamics program, and its bending modes.
+"""A rotor with matrices from a rotor dynamics program, and the bending modes of this rotor.
 
 The degrees of freedom of a node are x, y, z, rx, ry, rz (ROSS since 2.0) or x, y, rx, ry (ROSS
 before 2.0); axes are right-handed, with z along the shaft. The matrices satisfy M q'' + (C + spin
-G) q' + K q = f in kg, m, s, N and rad, with the spin in rad/s. The rotor must be free, because the
-simulation adds the bearings.
+G) q' + K q = f in kg, m, s, N and rad, with the spin in rad/s. The rotor must be unsupported,
+because the simulation adds the bearings.
 """
 
 from collections.abc import Sequence
@@ -17,7 +17,7 @@ from raceway.arrays import Floats
 from raceway.theory import beam_motion, shaft_bending
 from raceway.theory.beam import FREEDOMS
 
-# indices of this package's degrees of freedom, by number of degrees of freedom per node
+# {degrees of freedom per node: their indices in this package, and those in the file}
 OURS = {4: (0, 1, 3, 4), 6: (0, 1, 2, 3, 4)}
 THEIRS = {4: (0, 1, 2, 3), 6: (0, 1, 2, 3, 4)}
 SMALL = 1e-9  # tolerance for rounding errors, as a fraction of the largest number
@@ -26,7 +26,7 @@ PROPER = 1e-6  # largest coupling of modes by damping, as a fraction of the diag
 
 
 class Rotor(NamedTuple):
-    """A free rotor with N nodes."""
+    """An unsupported rotor with N nodes."""
 
     z: Floats  # (N,), m, increasing
     whole: beam_motion.Matrices  # (5 N, 5 N)
@@ -40,12 +40,12 @@ def rotor(
     gyroscopic: ArrayLike,
     damping: ArrayLike | None = None,
 ) -> Rotor:
-    """Create a `Rotor` without bearings from nodes at `z` (N,) in m and matrices (n, n), where n is
-    4 N or 6 N.
+    """Create a `Rotor` without bearings from nodes at `z` (N,) in m and from matrices (n, n), where
+    n is 4 N or 6 N.
 
     Raises `ValueError` for properties that `fix bearing/shaft` does not support: matrices that are
-    not symmetric (for G: not antisymmetric), matrices that differ between the two planes, and
-    stiffness or damping that restrains the rotor.
+    not symmetric (G: not antisymmetric), matrices that differ between the two planes, and stiffness
+    or damping that restrains the rotor.
 
     >>> from raceway.theory.beam import Section, divided
     >>> z, pieces = divided([Section(0.4, 0.04)], [0.1, 0.2, 0.3])
@@ -78,14 +78,14 @@ def bending(
     damping: float = 0.0,
     places: Sequence[float] = (),
 ) -> shaft_bending.Bending:
-    """Return the bending of `of` like `shaft_bending.bending`, with the rotor's own damping in
-    addition to the `damping` ratio of every mode.
+    """Return the bending of the rotor `of` in the same form as `shaft_bending.bending`, with the
+    rotor's own damping in addition to the `damping` ratio of every mode.
 
     The response of the nodes at `kept` (m) to steady loads is exact. Stations are these nodes, the
     centre of mass and `places` (m), which may be anywhere on the rotor. Between two nodes,
     displacements follow from a Timoshenko beam without loads, which is exact for an element with
     constant cross-section. Raises `ValueError` for a kept position without a node, a position off
-    the rotor, too many modes, and damping that couples the modes.
+    the rotor, too many modes, or damping that couples the modes.
     """
     nodes = sorted({node(of, place) for place in kept})
     if not nodes:
@@ -106,7 +106,7 @@ def bending(
 
 
 def node(of: Rotor, place: float) -> int:
-    """Return the number of the node at `place` (m). Raises `ValueError` if there is none."""
+    """Return the index of the node at `place` (m). Raises `ValueError` if there is none."""
     nearest = int(np.argmin(np.abs(of.z - place)))
     if not abs(of.z[nearest] - place) <= NEAR:
         raise ValueError(
@@ -155,8 +155,8 @@ def _check(of):
 
 
 def _faults(name, matrix, one, other, rigid):
-    """Yield (error text, entries that must be 0) for a matrix; `one` and `other` select its planes,
-    and `rigid` contains the motions of a rigid body in one plane."""
+    """Yield (error text, entries that must be 0) for each condition on a matrix. `one` and `other`
+    select its planes, and `rigid` contains the motions of a rigid body in one plane."""
     own, both = one.T @ matrix @ one, one.T @ matrix @ other
     if name == "G":
         yield "is not antisymmetric", matrix + matrix.T
@@ -180,9 +180,9 @@ def _element(of, k):
 
 
 def _shape(of, shape, place):
-    """Return displacement and tilt (n, 2) at `place` (m) for the modes whose `shape` (n, N, 2) is
-    given at the nodes, using the static shapes of Timoshenko's element (Przemieniecki 1968, ch.
-    5)."""
+    """Return the displacement and tilt (n, 2) at `place` (m) for the modes whose `shape` (n, N, 2)
+    is given at the nodes, interpolated with the static shapes of Timoshenko's element
+    (Przemieniecki 1968, ch. 5)."""
     k = int(np.clip(np.searchsorted(of.z, place) - 1, 0, len(of.z) - 2))
     length = of.z[k + 1] - of.z[k]
     u = min(max((place - of.z[k]) / length, 0.0), 1.0)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Mean of 1/gap for a rough film relative to a smooth film, as a function of L = h/sigma, where h
-is the mean gap and sigma is the rms composite roughness. Functions accept numbers or arrays of
-equal shape.
+"""Mean of 1/gap for a rough film relative to a smooth film, as a function of L = h/sigma. Here h is
+the mean gap, and sigma is the rms composite roughness. Functions accept numbers or arrays of equal
+shape.
 
-The sigma measured with a profilometer is an upper bound, because long waves are flattened under
-pressure.
+The sigma measured with a profilometer is an upper bound, because long wavelengths are flattened
+under pressure.
 """
 
 from typing import NamedTuple
@@ -27,8 +27,9 @@ class Clipped(NamedTuple):
 
 
 def factor(ratio: Numbers) -> Numbers:
-    """Return L^2/(L^2 - 1) for a film with a gamma distribution. The factor is constant below L =
-    2.5, where films are partly closed and the closed parts are not capacitors (see `clipped`).
+    """Return L^2/(L^2 - 1) for a film whose gap has a gamma distribution. The factor is constant
+    below L = 2.5, where films are partly closed and the closed parts are not capacitors (see
+    `clipped`).
 
     >>> [round(float(factor(L)), 4) for L in (3.0, 10.0)]
     [1.125, 1.0101]
@@ -38,8 +39,8 @@ def factor(ratio: Numbers) -> Numbers:
 
 def gauss_cut(ratio: Numbers, cut: float = 3.0) -> Numbers:
     """Return the `factor` for a Gaussian height that is cut at `cut` sigmas and renormalised, as a
-    reference for the gamma distribution. Raises `ValueError` unless L > `cut`, because the mean is
-    infinite if the gap can be zero.
+    reference for the gamma distribution. Raises `ValueError` unless L > `cut`: if the gap can be
+    zero, the mean is infinite.
 
     >>> [round(float(gauss_cut(L)), 4) for L in (4.0, 5.0, 6.0, 10.0)]
     [1.0755, 1.0441, 1.0294, 1.01]

@@ -2,10 +2,10 @@
 """Equilibrium position of a ball between the grooves of an inner and an outer ring, in the plane
 through the bearing's axis (Jones 1960).
 
-Coordinates are (radial, axial) in m. Each of Z balls has C contacts, one for each groove, with
-inner grooves first. Each contact is a spring that obeys its `contact_law`. Its energy is a convex
-function of the ball's position, and so is the total energy including the centrifugal load. A ball
-therefore moves from groove to groove without a jump.
+Coordinates are (radial, axial) in m. Each of Z balls has C contacts, one for each groove, with the
+inner grooves first. Each contact is a spring that obeys its `contact_law`. The energy of a spring
+is a convex function of the ball's position, and so is the total energy including the centrifugal
+load. A ball therefore moves from groove to groove without a jump.
 """
 
 from collections.abc import Callable
@@ -23,12 +23,11 @@ from raceway.theory.small_motion import Linear
 class Grooves(NamedTuple):
     """Surroundings of the balls: grooves, contact stiffness and centrifugal load."""
 
-    # maps balls (Z, 2) to the `Reach` to the circles of the inner groove centres, with arrays
-    # (inner
-    # grooves, Z)
+    # maps balls (Z, 2) to the `Reach` from the circles of the inner groove centres, in arrays
+    # (inner grooves, Z)
     inner: Callable[[Floats], circle.Reach]
     outer: Floats  # (outer grooves, Z, 2), m, centres of curvature of the outer grooves
-    gap: Floats  # (C, 1), m: r_c - R_b
+    gap: Floats  # (C, 1), m, difference of radii r_c - R_b
     stiffness: Floats  # (C, Z), N/m^1.5, contact stiffness
     centrifugal: Floats  # (Z,), N, centrifugal load, which is directed outwards
     law: Law  # contact law for overlaps (C, Z)
@@ -37,7 +36,7 @@ class Grooves(NamedTuple):
 class Touch(NamedTuple):
     """Contacts of balls at given positions."""
 
-    distance: Floats  # (C, Z), m, from the ball to the centre of curvature
+    distance: Floats  # (C, Z), m, distance from the ball to the centre of curvature
     direction: Floats  # (C, Z, 2), unit vectors from ball to raceway
     load: Floats  # (C, Z), N
     along: Floats  # (C, Z), N/m, stiffness of each contact along its line of action
@@ -76,21 +75,21 @@ def energy(grooves: Grooves, touch: Touch, ball: Floats) -> Floats:
 
 
 def gradient(grooves: Grooves, touch: Touch) -> Floats:
-    """Return the derivative (Z, 2) of the energy in N, which is minus the force on each ball."""
+    """Return the derivative (Z, 2) of the energy in N, i.e. minus the force on each ball."""
     result = (touch.load[..., None] * touch.direction).sum(0)
     result[:, 0] -= grooves.centrifugal
     return result
 
 
 def hessian(touch: Touch) -> Floats:
-    """Return the second derivative (Z, 2, 2) of the energy in N/m, which consists of the stiffness
-    of each spring along its line of action, and of Q/s across it."""
+    """Return the second derivative (Z, 2, 2) of the energy in N/m. It consists of the stiffness of
+    each spring along its line of action, and of Q/s across it."""
     line = touch.direction[..., :, None] * touch.direction[..., None, :]
     return _springs(touch.along, line, touch.load, touch.curve).sum(0)
 
 
 def linear(touch: Touch) -> Linear:
-    """Return the `Linear` of all balls."""
+    """Return the linearised balls as `Linear`."""
     inner, count = len(touch.reach.distance), touch.load.shape[1]
     line, curve = np.zeros((2, len(touch.load), count, 7, 7))
     approach = np.zeros((len(touch.load), count, 7))
@@ -106,10 +105,10 @@ def _springs(along, line, load, curve):
 
 
 def nearest(grooves: Grooves) -> tuple[Floats, ...]:
-    """For each ball, find the inner and the outer groove that compress it most, or that leave it
-    the least play. Return (compression (Z,) in m, negative if there is play; unit vector (Z, 2)
-    from the outer to the inner centre; distance (Z,) between these centres; outer centre (Z, 2);
-    indices of the two contacts (2, Z))."""
+    """For each ball, find the inner and the outer groove that compress it most or, if none does,
+    that leave it the least play. Return the compression (Z,) in m (negative if there is play), the
+    unit vector (Z, 2) from the outer to the inner centre, the distance (Z,) between these centres,
+    the outer centre (Z, 2), and the indices of the two contacts (2, Z)."""
     pairs, inner = [], None
     for k, outer in enumerate(grooves.outer):
         inner = grooves.inner(outer)
@@ -127,16 +126,17 @@ def nearest(grooves: Grooves) -> tuple[Floats, ...]:
 
 
 def settle(grooves: Grooves, near: Floats | None = None) -> Floats:
-    """Return the positions (Z, 2) at which every ball is in equilibrium. If nearby positions `near`
-    are given, the search starts there for balls that are held. Raises `NoEquilibrium` if Newton's
-    method does not converge."""
+    """Return the positions (Z, 2) at which every ball is in equilibrium. If `near` is given, the
+    search starts from these nearby positions for balls that are held. Raises `NoEquilibrium` if
+    Newton's method does not converge."""
     centrifugal, stiffness = grooves.centrifugal, grooves.stiffness
     tight, line, distance, outer, pair = nearest(grooves)
     balls = np.arange(len(outer))
     squeeze, play = np.maximum(tight, 0), np.minimum(tight, 0)
     soft, hard = stiffness[pair, balls]
     gap = grooves.gap[pair, 0]
-    # the loads are equal and opposite on one line; a ball with play is placed in the middle
+    # both loads act along one line and are equal and opposite; a ball with play is put in the
+    # middle
     share = squeeze / (1 + (soft / hard) ** (2 / 3)) + play / 2
     between = outer + line * (1 - (gap[0] + share) / distance)[:, None]
     thrown = outer.copy()
@@ -145,24 +145,24 @@ def settle(grooves: Grooves, near: Floats | None = None) -> Floats:
     if near is not None:
         ball = np.where(((squeeze > 0) | (centrifugal > 0))[:, None], near, ball)
     scale = centrifugal + hertz.load(hard, squeeze)
-    longest = 0.25 * gap[:, 0].sum()  # longest step, which is small compared with the groove
-    # keeps the matrix regular for a ball that has lost contact with one or both grooves
+    longest = 0.25 * gap[:, 0].sum()  # longest step, small compared with the groove
+    # keeps the matrix regular if a ball has lost contact with one or both grooves
     floor = (1e-9 * scale.max() + 1e-30) / longest * np.eye(2)
     digits = 8 * np.spacing(outer[:, 0])
     now = touch(grooves, ball)
     for _ in range(200):
         slope = gradient(grooves, now)
         size = np.linalg.norm(slope, axis=-1)
-        # distances have errors in the last digits of the circle's radius, even if a contact has
-        # only
-        # just closed
+        # distances have errors in the last digits of the circle's radius, even for contacts that
+        # have only just closed
         rounding = 1.5 * (stiffness * np.sqrt(now.elastic + digits)).sum(0) * digits
         left = size > 1e-12 * scale + rounding
         if not left.any():
             break
         step = -np.linalg.solve(hessian(now) + floor, slope[..., None])[..., 0]
         step *= np.minimum(1, longest / np.maximum(np.linalg.norm(step, axis=-1), 1e-300))[:, None]
-        step[~left] = 0.0  # converged balls, whose rounding errors would delay the other balls
+        # converged balls stop, because their rounding errors would delay the others
+        step[~left] = 0.0
         before, (ball, now) = ball, _moved(grooves, ball, step, slope, now)
         if np.array_equal(before, ball):
             break
@@ -175,8 +175,8 @@ def settle(grooves: Grooves, near: Floats | None = None) -> Floats:
 
 
 def _moved(grooves, ball, step, slope, now):
-    """Return (balls, `Touch`) after a step of each ball from the current `Touch`; the step is
-    halved until the energy or the residual force decreases."""
+    """Return the positions of the balls and their `Touch` after a step of each ball from the
+    current `Touch`. The step is halved until the energy or the residual force decreases."""
     here, descent, size = (
         energy(grooves, now, ball),
         (slope * step).sum(-1),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A shaft at rest on several ball bearings: displacements, and the loads and tilts of the bearings.
+"""A shaft at rest on several ball bearings: its displacements, and the bearings' loads and tilts.
 
 The shaft is a beam (`beam`), and each bearing is solved with the full statics in five degrees of
 freedom (`static`). The equilibrium of all nodes
@@ -7,7 +7,7 @@ freedom (`static`). The equilibrium of all nodes
     K q + sum of bearing forces(q) = loads
 
 is found by Newton iteration with the stiffness matrices of the bearings. A bearing with clearance
-initially carries no load, so soft springs to the ground are added and then removed in steps.
+carries no load at first, so soft springs to the ground are added and then removed in steps.
 """
 
 from collections.abc import Sequence
@@ -28,15 +28,17 @@ EXACT = 1e-9  # largest residual of the force balance, relative to the loads
 
 @dataclass(frozen=True)
 class Seat:
-    """A bearing on the shaft whose outer ring is in the housing."""
+    """A bearing on the shaft, with its outer ring in the housing."""
 
     at: float  # m, position of the plane of the balls along the shaft
     bearing: Bearing
     clearance: float = 0.0  # m, diametral clearance
     # (5,), m and rad: displacement x, y, z, rx, ry of the outer ring from its nominal position
     offset: tuple[float, ...] = (0.0,) * FREEDOMS
-    floating: bool = False  # the outer ring slides along z: no axial load except from the spring
-    spring: float = 0.0  # N, force along z of a soft spring on the outer ring, which then slides
+    # True if the outer ring slides along z; the spring is then the only axial load
+    floating: bool = False
+    # N, force along z of a soft spring on the outer ring; it slides unless this is 0
+    spring: float = 0.0
     phase: float = 0.0  # rad, azimuth of the first ball
 
     @property
@@ -70,7 +72,7 @@ class Carried:
 
     seat: Seat
     place: Floats  # (5,), m and rad, position of the inner ring relative to the outer ring
-    load: Floats  # (5,), N and N m, load of the shaft on the inner ring
+    load: Floats  # (5,), N and N m, load exerted by the shaft on the inner ring
     state: static.Equilibrium
     stiffness: Floats  # (5, 5), stiffness of the bearing as it acts on the shaft
 
@@ -136,8 +138,8 @@ def rest(
 
 
 class _Holder:
-    """Forces of a bearing on the shaft, including the axial force of its spring if it slides along
-    z."""
+    """Forces of a bearing on the shaft. If the bearing slides along z, they include the axial force
+    of its spring."""
 
     def __init__(self, seat, first, speed, density):
         self.seat, self.at = seat, slice(first, first + FREEDOMS)
@@ -189,8 +191,8 @@ class _Holder:
 
 
 def _newton(stiffness, given, holders, place, soft):
-    """Return (position, residual of the force balance relative to the loads) for springs with the
-    stiffness `soft` (N/m) to the ground."""
+    """Return the position, and the residual of the force balance relative to the loads, for springs
+    of stiffness `soft` (N/m) to the ground."""
     lengths = np.tile([1.0, 1.0, 1.0, 0.1, 0.1], len(given) // FREEDOMS)  # m per unit coordinate
     size = max(np.abs(given / lengths).max(), *(abs(one.seat.spring) for one in holders), 0.0)
 
@@ -211,7 +213,7 @@ def _newton(stiffness, given, holders, place, soft):
             step = np.linalg.solve(slope, left)
         except np.linalg.LinAlgError:
             break
-        # except for the contact angles, the energy is convex: shorten the step until it decreases
+        # for constant contact angles the energy is convex, so shorten the step until it decreases
         share, start = min(1.0, 50e-6 / np.abs(step * lengths).max()), left @ step
         while True:
             try:

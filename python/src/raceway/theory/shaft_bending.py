@@ -2,9 +2,10 @@
 """Reduced bending model of a round shaft, the input for `fix bearing/shaft ... flexible`.
 
 The reduction follows Craig and Bampton (AIAA J. 6 (1968) 1313) in one plane. Its coordinates are
-the displacement and tilt of the kept nodes, and the modes of the other nodes with the kept nodes
-held. The natural modes of the free reduced shaft are its two rigid-body motions and the elastic
-modes, which are mass-orthogonal to them. A round shaft has the same modes in both planes.
+the displacement and tilt of the kept nodes, and the amplitudes of the modes that the other nodes
+have with the kept nodes held. The natural modes of the free reduced shaft are its two rigid-body
+motions and the elastic modes, which are mass-orthogonal to them. A round shaft has the same modes
+in both planes.
 """
 
 from collections.abc import Sequence
@@ -30,7 +31,8 @@ class Bending(NamedTuple):
     mass: Floats  # (n,), kg
     stiffness: Floats  # (n,), N/m
     damping: Floats  # (n,), N s/m
-    gyroscopic: Floats  # (n + 1, n + 1), times spin; first a rigid tilt (rad), then the modes
+    # (n + 1, n + 1), to be multiplied by the spin; a rigid tilt (rad) first, then the modes
+    gyroscopic: Floats
 
 
 def bending(
@@ -41,7 +43,7 @@ def bending(
     stations: Sequence[int],
     damping: float = 0.0,
 ) -> Bending:
-    """Return the `Bending` of the shaft with the matrices `whole` and with nodes at `z` (N,) in m.
+    """Return the `Bending` of the shaft with the matrices `whole` and the nodes at `z` (N,) in m.
 
     The response of the `kept` nodes to steady loads on them is exact; `modes` is the number of
     modes per plane with the kept nodes held. The result has ``2 len(kept) + modes - 2`` elastic
@@ -90,8 +92,8 @@ def bending(
 
 def planes(nodes: int) -> tuple[Floats, Floats]:
     """Return two matrices (5 N, 2 N), N = `nodes`, that map displacement and slope in a plane to
-    the degrees of freedom of `beam`: the first for the plane of x, where the slope is ry, and the
-    second for the plane of y, where it is -rx."""
+    the degrees of freedom of `beam`. The first is for the plane of x, in which the slope is ry; the
+    second is for the plane of y, in which the slope is -rx."""
     one, other = np.zeros((FREEDOMS * nodes, 2 * nodes)), np.zeros((FREEDOMS * nodes, 2 * nodes))
     for k in range(nodes):
         one[FREEDOMS * k, 2 * k] = one[FREEDOMS * k + 4, 2 * k + 1] = 1.0
@@ -100,8 +102,8 @@ def planes(nodes: int) -> tuple[Floats, Floats]:
 
 
 def _craig_bampton(mass: Floats, stiffness: Floats, kept: Sequence[int], modes: int) -> Floats:
-    """Return the motions (2 N, 2 kept + modes) in one plane: those of the kept nodes, then the
-    modes."""
+    """Return the motions (2 N, 2 kept + modes) in one plane, first those of the kept nodes, then
+    those of the modes."""
     import scipy.linalg
 
     held = np.concatenate([2 * k + np.arange(2) for k in kept])

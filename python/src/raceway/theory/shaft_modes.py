@@ -14,15 +14,15 @@ from raceway.theory.beam_motion import Matrices
 from raceway.theory.shaft import Rest, Shaft
 from raceway.theory.shaft_motion import nodes, springs
 
-FREE = 1e-5  # fraction of the median frequency below which a motion is considered free
-ROUND = 0.1  # circularity of an orbit below which the motion is called planar
-BENT = 0.5  # fraction of the strain energy in the shaft above which a mode is called bending
+FREE = 1e-5  # motions below this fraction of the median frequency are considered free
+ROUND = 0.1  # motions with orbits of lower circularity are called planar
+BENT = 0.5  # modes with a larger fraction of their strain energy in the shaft are called bending
 
 
 class Mode(NamedTuple):
     """A natural motion or a critical speed."""
 
-    speed: float  # rad/s: natural frequency, or shaft speed that equals the natural frequency
+    speed: float  # rad/s, natural frequency, or the shaft speed that equals it
     shape: str  # axial, parallel, conical, bending or free
     whirl: str  # forward, backward or planar; empty for an axial or a free motion
 
@@ -45,7 +45,7 @@ def modes(shaft: Shaft, rest: Rest, speed: float) -> list[Mode]:
     z, whole = nodes(shaft, rest)
     bearings = springs(z, rest)
     stiffness = whole.stiffness + bearings
-    if speed == 0:  # modes are real: both modes of a pair with equal frequency are planar at rest
+    if speed == 0:  # modes are real, so both modes of a pair with equal frequency are planar
         squares, real = scipy.linalg.eigh(stiffness, whole.mass)
         speeds = np.sqrt(np.maximum(squares, 0.0))
         return _named(z, whole, bearings, list(zip(speeds, real.T, strict=True)))
@@ -64,9 +64,9 @@ def modes(shaft: Shaft, rest: Rest, speed: float) -> list[Mode]:
 
 
 def critical_speeds(shaft: Shaft, rest: Rest, highest: float) -> list[Mode]:
-    """Return the shaft speeds (rad/s) up to `highest` at which the shaft rotates as fast as one of
-    its natural motions whirls, for the bearing stiffness of `rest`. Axial motions have no critical
-    speed.
+    """Return the shaft speeds (rad/s) up to `highest` that coincide with the whirl frequency of one
+    of the shaft's natural motions, for the bearing stiffness of `rest`. Axial motions have no
+    critical speed.
 
     They follow from -w^2 M + i w^2 G + K = 0: the squares w^2 are the eigenvalues of K u = w^2 (M -
     i G) u.
@@ -129,8 +129,8 @@ def _quadratic(shape, matrix):
 
 
 def _whirl(shape):
-    """Return the whirl, i.e. the direction in which the nodes orbit relative to the spin about
-    +z."""
+    """Return the direction of whirl, i.e. the direction in which the nodes orbit relative to the
+    spin about +z."""
     x, y = shape.reshape(-1, FREEDOMS)[:, :2].T
     turn = -2 * np.imag(np.conj(x) * y).sum() / (np.abs(x) ** 2 + np.abs(y) ** 2).sum()
     return "planar" if abs(turn) < ROUND else "forward" if turn > 0 else "backward"

@@ -17,8 +17,9 @@ FINENESS = 24  # minimum number of elements in a shaft
 def nodes(
     shaft: Shaft, rest: Rest, places: Sequence[float] = ()
 ) -> tuple[Floats, beam_motion.Matrices]:
-    """Return (z in m, `beam_motion.Matrices`) for the nodes of `rest`, nodes at `places` (m) and
-    additional nodes. Raises `ValueError` for a position off the shaft."""
+    """Return the positions z in m and the `beam_motion.Matrices` of the nodes, which are the nodes
+    of `rest`, nodes at `places` (m) and additional nodes. Raises `ValueError` for a position off
+    the shaft."""
     z, _ = beam.divided(shaft.sections, [*rest.z, *places])
     longest = z[-1] / FINENESS
     places = [
@@ -45,8 +46,8 @@ def bending(
     kept: Sequence[float] = (),
     places: Sequence[float] = (),
 ) -> shaft_bending.Bending:
-    """Return the bending modes of `shaft`. The kept nodes are the bearings, the positions of
-    transverse `loads`, and `kept` (m).
+    """Return the bending modes of `shaft`. The kept nodes are at the bearings, at the positions of
+    transverse `loads`, and at `kept` (m).
 
     The number of `modes` per plane and the `damping` ratio are as in `shaft_bending.bending`.
     Stations are the nodes of `rest`, the centre of mass, `kept` and `places` (m). Raises

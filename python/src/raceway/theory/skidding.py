@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rotation of balls that touch only the outer ring. Rolling resistance slows them from the moment
-they leave the load zone, the traction is at most mu Q, and the ring accelerates them again when
-they return to the load zone (docs/tribology, Friction torque)."""
+"""Rotation of balls that touch only the outer ring. Rolling resistance slows them down from the
+moment they leave the load zone, with a traction of at most mu Q, and the ring accelerates them
+again when they return to the load zone (docs/tribology, Friction torque)."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -20,7 +20,7 @@ class Unloaded(NamedTuple):
     speed: Floats  # m/s, speed of the ball centre
     since: Floats  # s, time since the ball lost its load
     until: Floats  # s, unloaded time of the ball that regains its load next; 0 for other balls
-    frequency: Floats  # 1/s, frequency at which balls regain their load at this position
+    frequency: Floats  # 1/s, rate at which balls regain their load at this position
 
 
 def unloaded(

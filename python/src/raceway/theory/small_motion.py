@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Small motions of a ring about its equilibrium, in which the balls follow the ring, described by a
-5 x 5 stiffness and a 5 x 5 damping matrix.
+"""Small motions of a ring about its equilibrium, with balls that follow the ring, described by a 5
+x 5 stiffness matrix and a 5 x 5 damping matrix.
 
 Each ball has two degrees of freedom in the plane through the bearing's axis, and the ring has five.
 Springs, dampers and inertia of the balls are assembled in these seven degrees of freedom at one
@@ -19,13 +19,14 @@ SLOW = 1e-9  # rad/s, low enough for the damping to equal the limit for slow mot
 
 
 class Linear(NamedTuple):
-    """Linearised balls of a ring in equilibrium. Derivatives are with respect to the seven
-    coordinates of `circle`, of which those of the ball come first."""
+    """Linearised balls of a ring in equilibrium. Derivatives are taken with respect to the seven
+    coordinates of `circle`, in which those of the ball come first."""
 
     stiffness: Floats  # (Z, 7, 7), second derivatives of the energy, N/m, N and N m
     approach: Floats  # (C, Z, 7), derivatives of the overlaps of the contacts, inner ones first
     along: Floats  # (C, Z), N/m, stiffness of the contacts along their lines of action
-    loaded: Floats  # (Z,), bool, balls with an inner contact; others do not support the inner ring
+    # (Z,), bool, True for balls with an inner contact, because only these support the inner ring
+    loaded: Floats
 
     __repr__ = short
 
@@ -40,8 +41,8 @@ class Response(NamedTuple):
 
 
 def condensed(whole: Floats) -> Floats:
-    """Return the stiffness (5, 5) of the ring with balls (Z, 7, 7) that follow it, real or
-    complex."""
+    """Return the stiffness (5, 5), real or complex, of a ring with balls `whole` (Z, 7, 7) that
+    follow it."""
     own, mixed = whole[:, 2:, 2:], whole[:, :2, 2:]
     follow = np.linalg.solve(whole[:, :2, :2], mixed)
     return (own - mixed.transpose(0, 2, 1) @ follow).sum(0)

@@ -3,9 +3,9 @@
 
 A ball that keeps its load hits half-way across, where the falling flank of its path meets the
 rising flank (`kinematics.spall_length`). A ball that loses its load flies farther and hits the
-rising flank later. Here ball and ring are two masses along the load line: the ball between two
-Hertz contacts, and the ring on a spring that represents the other balls. The path over the spall is
-the path of a rigid ball on two edges (docs/theory, Flaws of a raceway). The spall lies on the load
+rising flank later. The model consists of two masses along the load line: the ball between two Hertz
+contacts, and the ring on a spring that represents the other balls. The path over the spall is the
+path of a rigid ball over two edges (docs/theory, Flaws of a raceway). The spall lies on the load
 line, and the ball does not reach its bottom. Film, friction and the compliance of the outer ring's
 support are neglected.
 """
@@ -37,7 +37,7 @@ def seconds_to_blow(
     clearance: float = 0.0,
     ball_density: float = 7800.0,
 ) -> Floats:
-    """Return the times (N,) in s from entry to impact for spalls with the `lengths` (N,) in m on a
+    """Return the times (N,) in s from entry to impact for spalls of `lengths` (N,) in m on a
     `raceway` (`INNER` or `OUTER`).
 
     `speed` is the inner ring speed in rad/s, and `load` is the radial load in N. `ring_mass` is the
@@ -81,8 +81,8 @@ def seconds_to_blow(
         phase=full.azimuth[1:],
     )
     carried = full.inner.load[0]
-    # stiffness of the other balls, from the difference between the bearing with and without this
-    # ball
+    # stiffness of the other balls, from the difference between the bearing with this ball and
+    # without it
     ring_spring = carried / (without.shift[0] - full.shift[0])
     mass = 4 / 3 * np.pi * bearing.ball_radius**3 * ball_density
     centrifugal = mass * bearing.pitch_radius * orbit**2
@@ -170,7 +170,7 @@ def _drop(on, w, edge, rolling):
 
 
 def longest(bearing: Bearing, raceway: int) -> float:
-    """Return the length (m) of the longest spall on a `raceway` that is considered, which is 0.4 of
+    """Return the length (m) of the longest spall on a `raceway` that is supported, which is 0.4 of
     the spacing of two balls."""
     radius = bearing.inner_radius if raceway == INNER else bearing.outer_radius
     return LONGEST * 2 * np.pi * radius / bearing.balls

@@ -12,7 +12,7 @@ from raceway.theory import sliding
 
 
 class Spin(NamedTuple):
-    """Forces and moment that resist slip and spin, in arrays with the shape of the given slip and
+    """Forces and moment that resist slip and spin, in arrays of the same shape as the slip and the
     spin."""
 
     along: Numbers  # N, opposes the slip along rolling
@@ -29,14 +29,14 @@ def moment(load: Numbers, friction: Numbers, a: Numbers, second: Numbers) -> Num
 
 def closed_moment(pure: Numbers, speed: Numbers, edge: Numbers) -> Numbers:
     """Return the moment in N m that resists spin in the presence of differential slip, from a fit.
-    The moment `pure` of pure spin (N m) is reduced if omega a = `speed` is small compared with s_e
-    = `edge`, both in m/s (`sliding.edge_slip`)."""
+    The moment `pure` of pure spin (N m) is reduced if `speed` = omega a is small compared with
+    `edge` = s_e, both in m/s (`sliding.edge_slip`)."""
     width = np.maximum(edge, sliding.LEAST)
     return pure * laws.spin_shares(np.abs(speed), width, 0.0).spin
 
 
 def closed_slip(speed: Numbers, edge: Numbers) -> Numbers:
-    """Return the factor by which spin reduces the couple of differential slip; the arguments are as
+    """Return the factor by which spin reduces the couple of differential slip. The arguments are as
     in `closed_moment`."""
     return laws.spin_shares(np.abs(speed), np.maximum(edge, sliding.LEAST), 0.0).slip
 
@@ -53,8 +53,8 @@ def with_slip(
     curve: Numbers = 0.0,
     least: float = sliding.LEAST,
 ) -> Spin:
-    """Compute the `Spin` of contacts with sliding speeds at their centre in m/s and a spin in
-    rad/s, with the slices that a run uses if its `spin_law` is "slices" (docs/tribology, Slip and
+    """Compute the `Spin` of contacts with the given sliding speeds at their centre in m/s and a
+    spin in rad/s, using the same slices as a run with `spin_law` "slices" (docs/tribology, Slip and
     spin in slices).
 
     At (x along, z across) the sliding velocity is (along + spin z - curve z^2, across - spin x),

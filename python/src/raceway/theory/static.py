@@ -2,21 +2,21 @@
 """Quasi-static equilibrium of a whole bearing in five degrees of freedom (Jones 1960; Harris 2006,
 ch. 7).
 
-The module was written from theory, independently of the simulation with which it is compared.
+The module is based on theory alone and is independent of the simulation with which it is compared.
 
 The outer ring is fixed. The inner ring carries a force and two moments; each of its three
 displacements (x, y, z) and two tilts (rx, ry) is either free or held. Each ball stays at its
-azimuth, where the cage holds it, and is free in the plane through the outer ring's axis, between an
-outer and an inner groove; the contact angles follow. Every contact is an elastic spring whose
-length is a convex function of the position. The balls, and then the ring, therefore minimise a
-convex energy, and Newton's method with a line search converges from any starting point. The contact
-stiffness depends weakly on the contact angle and is updated outside that minimisation.
+azimuth, where the cage holds it. It is free to move in the plane through the outer ring's axis,
+between an outer and an inner groove, and the contact angles follow. Every contact is an elastic
+spring whose length is a convex function of the position. The balls, and then the ring, therefore
+minimise a convex energy, and Newton's method with a line search converges from any starting point.
+The contact stiffness depends weakly on the contact angle and is updated outside that minimisation.
 
-In the theory, each inner groove moves by the components of shift and tilt in the plane of the ball
-(Harris, ch. 7), as if its circle were locally straight. With `finite_shift` the circle is shifted
-and tilted but remains a circle, as in a simulation. In a 6208 at 5 kN this reduces the load of the
-ball at 80 degrees from the load line by 0.4 % and increases that of the ball on the line by 0.07 %.
-A ring that rests on one ball is then unstable and rolls sideways.
+By default, as in the literature, each inner groove moves by the components of shift and tilt in the
+plane of the ball (Harris, ch. 7), as if its circle were locally straight. With `finite_shift` the
+circle is shifted and tilted but remains a circle, as in a simulation. In a 6208 at 5 kN, this
+reduces the load of the ball at 80 degrees from the load line by 0.4 % and increases that of the
+ball on the load line by 0.07 %. A ring that rests on one ball is then unstable and rolls sideways.
 
 A bearing may have several rows of balls, and several grooves for each ball (`bearing.Layout`). A
 ball then presses on each groove that it reaches, and moves from one to another without a jump.
@@ -41,31 +41,31 @@ from raceway.theory.small_motion import Linear
 
 FREEDOMS = ("x", "y", "z", "rx", "ry")
 STRAIGHT = {"rx": 0.0, "ry": 0.0}
-LIGHT = 0.01  # fraction of the largest load; the angles of contacts with smaller loads are ignored
+LIGHT = 0.01  # fraction of the largest load; the contact angles at smaller loads are ignored
 
 
 class Contacts(NamedTuple):
-    """Contacts of one raceway, in arrays with one value per ball (Z,), row after row or, if the
-    raceway has several grooves, (grooves, Z) in the order of its `bearing.Layout`. The load is zero
-    where there is no contact."""
+    """Contacts of one raceway, in arrays with one value per ball (Z,), row after row. If the
+    raceway has several grooves, the arrays are (grooves, Z) in the order of its `bearing.Layout`.
+    The load is zero where there is no contact."""
 
-    # m, overlap of the rigid bodies: negative if a film bridges a gap; minus the play for a ball
-    # that
-    # its centrifugal load holds on the outer raceway; zero for a ball that is not held
+    # m, overlap of the rigid bodies. It is negative if a film bridges a gap, minus the play for a
+    # ball that its centrifugal load holds on the outer raceway, and zero for a ball that is not
+    # held
     overlap: Floats
-    load: Floats  # N
+    load: Floats  # N, contact load
     angle: Floats  # rad, contact angle, positive if the inner ring is pushed towards +z
     a: Floats  # m, semi-axis across the groove
     b: Floats  # m, semi-axis along rolling
-    pressure: Floats  # Pa
+    pressure: Floats  # Pa, largest pressure in the contact ellipse
 
     __repr__ = short
 
     @property
     def heavy(self) -> Floats:
-        """True for contacts whose load exceeds the fraction `LIGHT` of the largest load. Other
-        contacts may belong to balls that their centrifugal load wedges between the outer groove and
-        the edge of the inner groove, at any angle."""
+        """True for contacts whose load exceeds the fraction `LIGHT` of the largest load. The other
+        contacts may belong to balls that are wedged between the outer groove and the edge of the
+        inner groove by their centrifugal load, at any angle."""
         return self.load > LIGHT * self.load.max()
 
 
@@ -74,18 +74,17 @@ class Equilibrium:
     """Equilibrium of a bearing."""
 
     shift: Floats  # (3,), m, displacement of the inner ring relative to the outer ring
-    azimuth: Floats  # (Z,), rad
+    azimuth: Floats  # (Z,), rad, azimuths of the balls
     inner: Contacts
     outer: Contacts
-    # N, residual of the equilibrium of the free degrees of freedom, with moments divided by the
-    # pitch
-    # radius
+    # N, residual force in the free degrees of freedom, with moments divided by the pitch radius
     residual: float
-    tilt: Floats  # (2,), rad: arcsines of -e_y and e_x of the ring's axis e, about x and y
+    # (2,), rad, tilts about x and y: arcsines of -e_y and e_x, where e is the ring's axis
+    tilt: Floats
     force: Floats  # (3,), N, force of the balls on the inner ring
     moment: Floats  # (3,), N m, moment of this force about the ring's centre
-    # (5, 5), N/m, N/rad, N m/rad: d(load)/d(position) in x, y, z, rx, ry for the current contact
-    # ellipses
+    # (5, 5), N/m, N/rad, N m/rad, derivative of the load with respect to the position in x, y, z,
+    # rx, ry for the current contact ellipses
     stiffness: Floats
     linear: Linear  # linearisation about the equilibrium of the balls, for `small_motion.response`
 
@@ -112,15 +111,15 @@ def equilibrium(
     and an axial load along +z, both in N on the inner ring.
 
     `moment` is (M_x, M_y) in N m on the inner ring. `held` maps degrees of freedom (x, y, z in m,
-    rx, ry in rad) to the values at which they are held; the others are free. Without `held`, the
-    ring is held untilted (rx = ry = 0) or, if a `moment` (even zero) is given, is free to tilt.
-    `clearance` is diametral in m. `phase` is the azimuth of the first ball of each row in rad or,
-    if the balls are not evenly spaced, the azimuths of all balls (Z,). `orbital_speed` in rad/s,
-    one value for all balls or one for each (Z,), adds the centrifugal load m r omega^2, where m
-    follows from `ball_density` in kg/m^3. `finite_shift` is explained above; `film` adds the film
-    in the gap. If a nearby equilibrium `near` is given, the search starts there. Raises
-    `NoEquilibrium` if the ring is free to move or the balls are forced out of their grooves, and
-    `ValueError` for an unknown degree of freedom.
+    rx, ry in rad) to the values at which they are held; the others are free. If `held` is not
+    given, the ring is free to tilt if a `moment` (even zero) is given, and is otherwise held
+    untilted (rx = ry = 0). `clearance` is diametral in m. `phase` is the azimuth in rad of the
+    first ball of each row or, if the balls are not evenly spaced, the azimuths of all balls (Z,).
+    `orbital_speed` in rad/s, one value for all balls or one for each (Z,), adds the centrifugal
+    load m r omega^2, where m follows from `ball_density` in kg/m^3. `finite_shift` is explained
+    above; `film` adds the film in the gap. If a nearby equilibrium `near` is given, the search
+    starts from it. Raises `NoEquilibrium` if the ring is free to move or the balls are forced out
+    of their grooves, and `ValueError` for an unknown degree of freedom.
 
     >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -135,7 +134,7 @@ def equilibrium(
     """
     if not isinstance(bearing, Bearing):
         raise TypeError(
-            f"bearing is {bearing!r}, must be a Bearing, such as raceway.inputs.bearing('6208')"
+            f"bearing is {bearing!r}; it must be a Bearing, such as raceway.inputs.bearing('6208')"
         )
     force = np.array(
         [radial_load * np.cos(load_azimuth), radial_load * np.sin(load_azimuth), axial_load], float
@@ -185,8 +184,8 @@ def contacts(
     held: bool | Floats = False,
 ) -> Contacts:
     """Return the `Contacts` of balls at `distance` (m) from the centres of curvature, under `load`
-    (N) at `angle` (rad), in arrays of equal shape; `held` marks balls without load whose position
-    is definite. Raises `NoEquilibrium` if the balls are forced out of their grooves."""
+    (N) at `angle` (rad), in arrays of equal shape; `held` marks unloaded balls that have a definite
+    position. Raises `NoEquilibrium` if the balls are forced out of their grooves."""
     if np.any((load > 0) & (np.cos(angle) < -0.7)):
         raise NoEquilibrium(
             f"balls lie against the far side of the {('inner', 'outer')[raceway]} groove: the play"

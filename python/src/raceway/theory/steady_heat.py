@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Results of `raceway heat`: a bearing with its oil and cooling at its steady temperature
-(`heat_scene`), and its thermal reference speed."""
+"""Results of `raceway heat`: a bearing with its oil and cooling at its steady temperature, computed
+with `heat_scene`, and its thermal reference speed."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -18,7 +18,8 @@ from raceway.theory.oil_supply import BATH, Supply
 from raceway.theory.static import STRAIGHT
 from raceway.theory.validity import of_statics
 
-OF_NODES = ("sides", "cage", "contacts", "drag", "flow")  # of a `Scene`, for its heat balance
+# results of a `Scene` for its heat balance
+OF_NODES = ("sides", "cage", "contacts", "drag", "flow")
 TOPICS = {
     "Operating point": (
         Row("bearing", "bearing", None),
@@ -83,9 +84,9 @@ def _settings(oil):
 class Case:
     """Input of `figures`, in SI units and degrees C.
 
-    `bearing` and `lubricant` are names or paths of data files, which are looked up in the inputs
+    `bearing` and `lubricant` are names or paths of data files, which are searched for in the inputs
     `folder` (`catalogue.find`); the lubricant's file must contain physical data. Cooling is
-    determined by `nodes` or by `conductance` in W/K, and by ISO 15312 if neither is given.
+    determined by `nodes` or by `conductance` in W/K or, if neither is given, by ISO 15312.
     """
 
     bearing: str
@@ -98,13 +99,13 @@ class Case:
     ambient: float = 20.0
     conductance: float | None = None
     nodes: Nodes | None = None
-    four_point: float | None = None  # `four_point` and `double_row` as in `inputs.bearing`
+    four_point: float | None = None  # this and `double_row` are as in `inputs.bearing`
     double_row: DoubleRow | None = None
-    spin_law: str = "closed"  # `spin_law` and `models` as in `operating_point.figures`
+    spin_law: str = "closed"  # this and `models` are as in `operating_point.figures`
     models: str = DEFAULT
     supply: Supply = BATH
     cage: cage_drag.CageRing | None = None
-    oil_flow: float = 0.0  # m^3/s at 40 C; 0 if oil does not carry heat away
+    oil_flow: float = 0.0  # m^3/s at 40 C; 0 if no oil carries heat away
     oil_inlet: float | None = None  # degrees C; by default the ambient temperature
 
     def files(self) -> tuple[Path, Path]:
@@ -215,8 +216,8 @@ class Case:
 
 
 def figures(*names: Any, **point: Any) -> dict[str, Any]:
-    """Return a dict of steady-state results, in SI units with temperatures in degrees C, for the
-    `Case` with these arguments. Raises `RacewayError`."""
+    """Return the steady-state results for the `Case` with these arguments as a dict, in SI units
+    with temperatures in degrees C. Raises `RacewayError`."""
     case = Case(*names, **point)
     case.files()
     case.cooling()

@@ -16,9 +16,9 @@ def eyring(
     stress: Numbers = 5e6,
     limit: Numbers = np.inf,
 ) -> Numbers:
-    """Return tau = min(tau_0 asinh(eta s/(h tau_0)), limit) in Pa, which is odd in s.
+    """Return the stress tau = min(tau_0 asinh(eta s/(h tau_0)), limit) in Pa, which is odd in s.
 
-    eta in Pa s is the viscosity under pressure, s is in m/s and h in m; `stress` is tau_0 and
+    eta in Pa s is the viscosity under pressure, s is in m/s, and h is in m. `stress` is tau_0 and
     `limit` is Lambda_L p, both in Pa. Lambda_L is 0.047 for mineral oil, 0.04 for paraffinic oil,
     0.035 for PAO and 0.03 for ester (Arana 2019 after Hoglund 1999).
     """
@@ -35,11 +35,11 @@ def coefficient(
     limit: Numbers = np.inf,
 ) -> Numbers:
     """Return the friction coefficient of a film in a Hertz contact with the largest `pressure` in
-    Pa, which slides everywhere at the shear rate s/h = `rate` in 1/s.
+    Pa and the uniform shear rate `rate` = s/h in 1/s.
 
     The stress is that of `eyring` with the viscosity of Roelands for eta (Pa s) and xi (1/Pa);
-    `limit` is Lambda_L. With p = t p_max the mean over the ellipse is 3/p_max times the integral of
-    tau t over t from 0 to 1, which is computed with eight Gauss points to within 0.9 %.
+    `limit` is Lambda_L. With p = t p_max, the mean over the ellipse is 3/p_max times the integral
+    of tau t over t from 0 to 1. It is computed with eight Gauss points, with an error below 0.9 %.
     """
     return laws.film_coefficient(viscosity, pressure_viscosity, stress, limit, pressure, rate)
 
@@ -56,8 +56,8 @@ def combined(
 ) -> Floats:
     """Return the friction coefficient for which Coulomb's law gives the same power loss as `eyring`
     with its limit. The contacts (...) have a `load` (N) and semi-axes (m) and slide at (slip + spin
-    z - curve z^2, -spin x), as in `spin.with_slip`; slip is in m/s, spin in rad/s, curve in 1/(m
-    s), and thickness in m."""
+    z - curve z^2, -spin x), as in `spin.with_slip`. The units are m/s for slip, rad/s for spin,
+    1/(m s) for curve and m for thickness."""
     node, weight = np.polynomial.legendre.leggauss(12)
     # r = sin(t) removes the square root of the pressure
     t, turn = (node[:, None] + 1) * np.pi / 4, (np.arange(24) + 0.5) * np.pi / 12
@@ -76,8 +76,8 @@ def combined(
 
 
 def bair_winer(viscosity: Numbers, sliding: Numbers, thickness: Numbers, limit: Numbers) -> Numbers:
-    """Return tau = tau_L (1 - exp(-eta s/(h tau_L))) in Pa, which is odd in s, with tau_L = `limit`
-    in Pa.
+    """Return the stress tau = tau_L (1 - exp(-eta s/(h tau_L))) in Pa, which is odd in s, with the
+    limit tau_L = `limit` in Pa.
 
     This is the inverse of `bair_winer_rate`.
     """
@@ -85,7 +85,7 @@ def bair_winer(viscosity: Numbers, sliding: Numbers, thickness: Numbers, limit: 
 
 
 def bair_winer_rate(viscosity: Numbers, stress: Numbers, limit: Numbers) -> Numbers:
-    """Return s/h = -(tau_L/eta) ln(1 - tau/tau_L) in 1/s (Bair and Winer 1979).
+    """Return the shear rate s/h = -(tau_L/eta) ln(1 - tau/tau_L) in 1/s (Bair and Winer 1979).
 
     Eq 6 of Schwarz et al. 2023 lacks the minus sign. Raises `ValueError` unless the stress is below
     its limit.
@@ -96,5 +96,6 @@ def bair_winer_rate(viscosity: Numbers, stress: Numbers, limit: Numbers) -> Numb
 
 
 def mixed(share: Numbers, boundary: Numbers, film: Numbers) -> Numbers:
-    """Return mu = L_a mu_b + (1 - L_a) mu_film, where L_a = `share` (see `asperity`)."""
+    """Return the coefficient mu = L_a mu_b + (1 - L_a) mu_film with L_a = `share` (see
+    `asperity`)."""
     return laws.mixed_friction(boundary, film, share)

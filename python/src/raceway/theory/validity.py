@@ -2,7 +2,7 @@
 """Range of validity of the contact formulas.
 
 The rules are defined in C++ (`src-package/core/raceway/validity.h`), which issues the warnings in a
-run; summaries and all results of statics are checked with the same rules.
+run. Summaries and all results of statics are checked with the same rules.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ COUNTS = 0.19  # fraction of the radial load below which ISO 281 ignores axial l
 
 
 class Rule(NamedTuple):
-    """A bound on a quantity: `value` is doubtful above `bound`, or below it if `below` is true;
-    `limit` states the source of the bound."""
+    """A bound on a quantity. The quantity `value` is doubtful above `bound`, or below it if `below`
+    is true; `limit` states the source of the bound."""
 
     name: str
     value: str
@@ -96,8 +96,8 @@ def of_statics(
 
 def held(push: float, radial: float, largest: float) -> list[str]:
     """Return a warning if the balls push the inner ring along its axis with a force `push` (N) that
-    no load balances and that is significant relative to the `radial` load and the `largest` contact
-    load."""
+    no load balances, and if this force is significant relative to the `radial` load and the
+    `largest` contact load."""
     if abs(push) <= COUNTS * max(radial, largest):
         return []
     return [
@@ -116,8 +116,8 @@ def past_shoulder(
     """Return a warning for each raceway on which contact ellipses extend beyond the edge of the
     groove.
 
-    `angle` (rad) and `semi_axis` a (m) are those of the loaded contacts of the inner and the outer
-    raceway. The groove ends at the angle theta from its bottom, with cos(theta) = 1 - depth/r_c; an
+    `angle` (rad) and `semi_axis` a (m) describe the loaded contacts of the inner and the outer
+    raceway. The groove ends at the angle theta from its bottom, with cos(theta) = 1 - depth/r_c. An
     ellipse extends to |alpha| + asin(a/r_c).
     """
     grooves = (bearing.inner_groove, bearing.outer_groove)
@@ -152,9 +152,9 @@ def past_middle(
     angle: tuple[np.ndarray, np.ndarray],
     semi_axis: tuple[np.ndarray, np.ndarray],
 ) -> list[str]:
-    """Return the same warnings as `past_shoulder` for the edge between the two grooves of a ring in
-    a four-point contact bearing. `free` is the contact angle (rad) of a centred ball. The edge lies
-    at the angle asin((r_c - R_b) sin(free)/r_c) from the bottom of the groove."""
+    """Return the same warnings as `past_shoulder`, but for the edge between the two grooves of a
+    ring in a four-point contact bearing. `free` is the contact angle (rad) of a centred ball. The
+    edge lies at the angle asin((r_c - R_b) sin(free)/r_c) from the bottom of the groove."""
     texts = []
     for side, (alpha, a) in enumerate(zip(angle, semi_axis)):
         groove = bearing.groove(side)
