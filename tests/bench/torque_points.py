@@ -138,14 +138,15 @@ def off(own, skf):
 HEAD = """Friction torque compared with SKF's formula
 ===========================================
 
-This page is written by ``tests/bench/torque_points.py``. It compares statics with the models
-``full`` (conformities 0.52 and 0.53 unless the bearing's file gives others, no clearance, rigid
-rings, oil ``vg46`` at the temperature that gives the viscosity) with SKF's formula
-(:math:`\\mu_{bl}` 0.12, :math:`\\mu_{EHL}` 0.05, the same oil). An oil bath reaches the middle of
-the lowest ball. No constant is fitted to SKF's formula. The first table lists torques in N mm, from
-statics / from SKF's formula. Rolling includes hysteresis; sliding is the sum of slip and spin. A
-contribution is in bold if it differs from SKF's value by a factor of more than 1.5 and SKF's value
-is above 10 % of SKF's torque.
+This page is written by ``tests/bench/torque_points.py``. It compares the friction torque from
+statics with the models ``full`` to that from SKF's formula. Statics assumes conformities of 0.52
+and 0.53 (unless the bearing's file specifies others), no clearance, rigid rings, and the oil
+``vg46`` at the temperature at which it has the stated viscosity. SKF's formula is evaluated for
+:math:`\\mu_{bl}` = 0.12, :math:`\\mu_{EHL}` = 0.05 and the same oil. An oil bath reaches the middle
+of the lowest ball. No constant is fitted to SKF's formula. The first table lists torques in N mm:
+the value from statics, then the value from SKF's formula. Rolling includes hysteresis; sliding is
+the sum of slip and spin. A contribution is printed in bold if it differs from SKF's value by a
+factor of more than 1.5 and SKF's value is above 10 % of SKF's total torque.
 """
 
 WHY = """*Light load and high speed* (0.02 :math:`C_0`, 10,000 rpm): the rolling torque of deep
@@ -157,16 +158,16 @@ SKF's formula.
 
 *High load and low speed, combined and axial loads*: rolling is 0.66 to 1.04 times and sliding 0.55
 to 1.0 times SKF's value; both ratios are lowest for balls with spin. Sliding grows with the square
-of the contact width and thus depends on the conformity of the grooves, which no catalogue gives
-(below).
+of the contact width and thus depends on the conformity of the grooves, which no catalogue states
+(see below).
 """
 
 CONFORMITY = """Conformity of the grooves
 -------------------------
 
-Manufacturers do not publish the groove radii of their bearings, and 0.52 and 0.53 of the ball's
-diameter are our default (:doc:`catalogue`). If all bearings have the same conformities, the 40
-points give these ratios:
+Manufacturers do not publish the groove radii of their bearings. Our defaults are 0.52 and 0.53
+times the ball diameter (:doc:`catalogue`). If all bearings are assumed to have the same
+conformities, the 40 points give these ratios:
 """
 
 

@@ -15,7 +15,7 @@ DECK = "tests/hard/in.hard"
 BALLS = 9  # every case is a 6208
 _data = yaml.safe_load((Path(__file__).parent / "cases.yaml").read_text())
 CASES, BOUNDS, EXPLICIT = _data["cases"], _data["bounds"], _data["explicit"]
-# Settings of the references "fine" and of all comparisons of the fix with finer runs of its own;
+# Settings for the "fine" references and for all comparisons of the fix with its own finer runs;
 # they do not depend on the defaults.
 FINE = "tolerance 1e-10"
 # `Course.error` of a run that ended normally but with fewer atoms
@@ -283,8 +283,8 @@ def judge(found, truth, case, words, every=1):
 
 def _judge_averages(found, truth, bound):
     """Return the `Verdict` for the average with the largest difference relative to its bound.
-    Differences in loads and speeds are relative, differences in fractions absolute. A run with
-    occasional bursts has a large statistical error, so bounds are limited to a half."""
+    Differences in loads and speeds are relative, differences in fractions absolute. Since a run
+    with occasional bursts has a large statistical error, bounds are limited to one half."""
     verdicts = []
     for name, (mean, error) in truth.items():
         scale = 1 if name.startswith("fraction") else mean
@@ -301,8 +301,8 @@ def _judge_averages(found, truth, bound):
 
 
 def least_room(course, truths, case):
-    """Return the `Verdict` closest to its bound over all references of the case; `truths` contains
-    the courses of the reference runs."""
+    """Return the `Verdict` that is closest to its bound among all references of the case; `truths`
+    contains the courses of the reference runs."""
     verdicts = [
         judge_statics(course, case)
         if kind == "statics"

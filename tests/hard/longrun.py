@@ -24,12 +24,12 @@ class Drift(NamedTuple):
 
     @property
     def figure(self):
-        """Relative difference between the two means."""
+        """The relative difference between the two means."""
         return abs(self.last / self.first - 1)
 
 
 def long_run(folder, seconds, control="energy yes", substeps=4) -> Course:
-    """Return the course of a run that writes every sample, with `substeps` host steps per
+    """Return the course of a run that writes every sample and takes `substeps` host steps per
     sample.
     """
     case = {

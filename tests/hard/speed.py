@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Measures the speed of the hard cases with host steps as long as their loads allow, with a record
-and without output, and the steps of the error control relative to the natural periods."""
+and without output, and the steps chosen by the error control relative to the natural periods."""
 
 import re
 import statistics
@@ -13,7 +13,7 @@ from host import liggghts
 
 from hard.harness import DECK, coarse, first_samples, judge, least_room, run
 
-RUNS = 3  # number of repeated runs; their median counts
+RUNS = 3  # number of repeated runs, of which the median is used
 # in ascending order, m: the coarsest tolerance that meets the bounds gives the steps needed per
 # period
 TOLERANCES = (1e-9, 2e-9, 5e-9, 1e-8, 2e-8, 5e-8, 1e-7, 2e-7)
@@ -61,7 +61,7 @@ def resonance(folder):
 def nearest(folder, case, control, truths):
     """Return (`Verdict` closest to its bound, mean internal step in s) with the keywords `control`.
     The verdict covers a run with one host step per sample and a run with the host steps of `large`;
-    the mean step is that of the run with `large`. None if a run stopped."""
+    the mean step is that of the run with `large`. Return None if a run stopped."""
     case = dict(case, control=control)
     found, long = run(folder, case), coarse(folder, case)
     if found.error or long.error:

@@ -24,7 +24,8 @@ from hard.speed import nearest
 
 
 def marked(*keys, name, key):
-    """Return a pytest parameter, marked as an expected failure if cases.yaml lists a miss."""
+    """Return a pytest parameter, marked as an expected failure if cases.yaml states that the case
+    misses its bound."""
     why = CASES[name].get("misses", {}).get(key)
     return pytest.param(
         name,
@@ -104,9 +105,9 @@ def test_models_full(tmp_path, name):
 
 def test_kept_derivatives_solve_the_same_stages(tmp_path):
     """With `control estimate` the last iterations evaluate only the cage; forces and stored states
-    of the raceways are extrapolated from their derivatives. With the same steps this requires fewer
-    evaluations than iterating to the bound; loads agree to the equivalent of 1 nm in the heaviest
-    contact."""
+    of the raceways are extrapolated from their derivatives. With the same steps, this requires
+    fewer evaluations than iterating to the bound. Loads agree within the change due to 1 nm in the
+    most heavily loaded contact."""
     found = []
     for control in ("bound", "estimate"):
         words = f"control {control} tolerance 1e-9 largest 1e-5 error 100"

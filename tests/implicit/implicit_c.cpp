@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exports the mathematics of the implicit step to test_mathematics.py, which calls the functions by
-// name (see src-package/core/interface/exports.h).
+// Exports the mathematical functions of the implicit step to test_mathematics.py, which calls them
+// by name (see src-package/core/interface/exports.h).
 #include "../../src-package/core/contact/contact.h"
 #include "../../src-package/core/interface/exports.h"
 #include "../../src-package/core/numbers/lane_blocks.h"
@@ -147,7 +147,7 @@ EXPORT(int, chain,
 {
   LinkChain c;
   c.resize(bodies);
-  // solves a second time with the same memory, which must give the same result
+  // solves a second time with the same memory; the result must be the same
   for (int round = 0; round < 2; ++round) {
     c.clear();
     for (int i = 0; i < links; ++i) {

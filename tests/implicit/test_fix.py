@@ -193,7 +193,7 @@ def test_cold_step_refines_by_itself(tmp_path):
 
 
 def test_a_step_far_too_large_is_refined_not_wrong(tmp_path):
-    """Samples are 2 ms apart, 18 per ball pass."""
+    """The samples are 2 ms apart, so there are 18 per ball pass."""
     assert (
         error(
             tmp_path, inner=ring("spin speed 50 force 0 -5000 0"), sample=2e-3, samples=20, after=3
@@ -232,9 +232,9 @@ def test_two_implicit_steps_of_one_atom_are_refused(tmp_path):
 
 
 def test_a_step_that_turns_a_ball_too_far_is_refined(tmp_path):
-    """Each host step is 40 ms, in which balls orbit by 0.8 rad; with preload nothing else shortens
-    the steps. The frames rotate according to series that are accurate up to 0.6 rad, so the error
-    control must limit the step. Every ball stays on the pitch circle.
+    """Each host step is 40 ms, during which the balls orbit by 0.8 rad; with preload, nothing else
+    shortens the steps. The frames rotate according to series that are accurate up to 0.6 rad, so
+    the error control must limit the step. Every ball stays on the pitch circle.
     """
     case = dict(
         inner=ring("spin speed 50 force 0 -50 0"), clearance=-88.2e-6, samples=10, sample=4e-2
@@ -265,8 +265,8 @@ def test_only_dampers_implicit_against_verlet(tmp_path, speed, bound):
 def test_only_dampers_implicit_keeps_its_step_stable(tmp_path):
     """Host steps of fifty times the stability limit of the springs are divided into steps at the
     limit, h^2 k = 3 m + 1.5 h c, for the heaviest ball: k is the stiffness of its two contacts
-    (4.2e8 N/m under 5 kN), and c adds little at this speed. During the load ramp, drift makes the
-    steps shorter.
+    (4.2e8 N/m under 5 kN), and the contribution of c is small at this speed. During the load ramp,
+    drift makes the steps shorter.
     """
     case = dict(inner=ring("spin speed 1000 force 0 -5000 0"), start=1000, sample=4e-4, samples=40)
     text = succeed(CASE, out=tmp_path, control="solve damping", **case).text
@@ -336,7 +336,7 @@ def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
 
 def test_an_error_may_be_larger_than_corrections(tmp_path):
     """A step may have an error 2.5 times as large as the error that the corrections leave. With the
-    models `full` this saves a sixth of the evaluations at high speed, and the results change by
+    models `full`, this saves a sixth of the evaluations at high speed and changes the results by
     less than 0.1 %."""
     found = []
     for share in (1, 2.5):

@@ -32,8 +32,8 @@ def sampled(folder, within, **case):
 
 
 def by_instant(rows, instants, column):
-    """Return one column of the contacts as an array (instants, raceways, balls); 0 for open
-    contacts."""
+    """Return one column of the contacts as an array (instants, raceways, balls), which is 0 for
+    open contacts."""
     table = np.zeros((instants + 1, 2, 9))
     table[
         np.rint(rows[:, 1] * instants / rows[-1, 1]).astype(int),

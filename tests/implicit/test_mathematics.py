@@ -245,8 +245,8 @@ def test_gyroscope(lib, order, method):
 
 @pytest.mark.parametrize("method", [2, 0], ids=["order 2", "dampers only"])
 def test_free_fall_is_exact(lib, method):
-    """Under a constant force, order 2 gives the exact parabola to rounding accuracy, and so does
-    `solve damping`, which treats springs in the same way as velocity Verlet."""
+    """Under a constant force, order 2 reproduces the parabola to rounding accuracy. The same
+    applies to `solve damping`, which treats springs in the same way as velocity Verlet."""
     out, time = lone_ring(lib, method, 7, 2e-3), 2e-3
     acceleration = np.array([1.0, 2.0, 3.0]) / 0.5
     np.testing.assert_allclose(out.v, acceleration * time, rtol=1e-12)

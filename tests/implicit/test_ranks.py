@@ -95,8 +95,8 @@ def test_cuts(whole, cuts, ranks, box, tmp_path):
 
 
 def test_a_cage_ball_between_strangers(tmp_path):
-    """Without rails a cage ball is connected to its bearing only through balls, which here belong
-    to other ranks."""
+    """Without rails, a cage ball is connected to its bearing only through balls, which belong to
+    other ranks in this case."""
     succeed(DECK, out=tmp_path / "one", rails=0)
     succeed(DECK, ranks=8, out=tmp_path / "eight", rails=0, cuts_x=8, cuts_y=1)
     assert state(tmp_path / "eight") == state(tmp_path / "one")

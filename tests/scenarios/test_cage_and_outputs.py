@@ -59,7 +59,7 @@ variable pe equal c_energy
 
 
 def test_totals_are_those_of_the_contacts(run):
-    """compute bearing/total, compute bearing/ball and the local rows take their values from the
+    """The values of compute bearing/total, compute bearing/ball and the local rows come from the
     same table; the dumps have 12 digits."""
     (
         live,
@@ -132,8 +132,8 @@ def test_virial_is_that_of_the_contact_forces(run):
 
 
 def test_cage_balls_stay_centred(run):
-    """Cage balls stay in the middle plane and on the pitch circle, to within the 190 um that pocket
-    and chord allow."""
+    """Cage balls stay in the middle plane and within 190 um of the pitch circle, which is the
+    distance that pocket and chord allow."""
     cage = run.balls[run.balls["type"] == 2]
     radius = np.hypot(cage["x"], cage["y"])
     assert np.all(np.abs(radius - 30.3e-3) < 190e-6)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A one-piece rigid cage (fix bearing/cage/ring) in a 6208 is tested with both integrators. It
-conserves momentum, is slowed by oil as the laws describe, and slips because of its play. Invalid
-data are rejected."""
+"""A one-piece rigid cage (fix bearing/cage/ring) in a 6208 is tested with both integrators. The
+cage conserves momentum, is slowed by oil as the laws predict, and slips because of its play.
+Invalid data are rejected."""
 
 import re
 
@@ -123,8 +123,8 @@ def test_work_is_stored_or_lost(tmp_path, words):
 
 
 def test_both_integrators_agree(tmp_path):
-    """Motion in the pockets is chaotic over long times, so only the mean speeds are compared, and
-    the paths to within a few micrometres."""
+    """Since motion in the pockets is chaotic over long times, only the mean speeds are compared,
+    and the paths are compared to within a few micrometres."""
     rows = {
         name: scene(tmp_path / name, name, span=0.03, words=f"friction 0.1 planar yes {LAND}")[1]
         for name in BOTH
@@ -321,9 +321,9 @@ def share_below(level, pitch):
 
 
 def test_a_cage_under_moments_bears_what_statics_estimates(tmp_path):
-    """Balls that would run ahead by ten times the play press on the cage with a force limited by
-    their traction. The largest force also includes impacts. The load is along -y in the run and
-    along x in statics."""
+    """Balls that would run ahead by ten times the play press on the cage with a force that is
+    limited by their traction. The largest force also includes impacts. The load is along -y in the
+    run and along x in statics."""
     point = dict(load=3500.0, axial=5000.0, rpm=1500.0)
     found = dict(bearing="7208B", moment_x=25, moment_y=15, settle=1, passes=2)
     succeed("inputs/in.cage_ring", out=tmp_path, **found, **point)

@@ -140,14 +140,14 @@ def test_the_fix_gives_the_numbers_of_python(pair):
             ours = data[name].to_numpy() if name in data else np.zeros(data.sizes["time"])
             ours = np.where(np.isinf(ours), 0.0, ours)  # values are infinite if no film can fail
         scale = 1e-9 * np.abs(ours).max()
-        if name == "current":  # the charges of the films cancel, that of the ring does not
+        if name == "current":  # the films' charges cancel, the ring's does not
             scale = max(scale, 1e-13 * on_films / step)
         np.testing.assert_allclose(rows[name], ours, rtol=1e-9, atol=scale, err_msg=name)
 
 
 def test_metal(tmp_path):
-    """Films with asperity contact conduct, both in the fix and in Python. A limit of 0.1 for the
-    asperity fraction separates them from the other films."""
+    """Films with asperity contact conduct, both in the fix and in Python. A limit of 0.1 on the
+    load fraction of asperities distinguishes them from the other films."""
     here = tmp_path / "here"
     shutil.copytree(ROOT / "tests/implicit", here, ignore=shutil.ignore_patterns("__pycache__"))
     contact = here / "contact.film"

@@ -5,7 +5,7 @@ and moments, and for imposed tilts.
 In statics the circle of the groove remains a circle (`finite_shift`), as in the simulation. Because
 statics neglects friction, the scenes have no friction: a friction coefficient of 0.05 to 0.12 would
 change loads by 1.3 % of the largest load, and a tenth of this friction by 0.4 %. The remaining
-difference is due to film damping, because balls and ring move as the balls pass; it increases with
+difference is due to film damping, because balls and ring move during a ball pass; it increases with
 the speed.
 """
 
@@ -75,8 +75,8 @@ def samples(folder, case, every=4):
         ("combined, slow", COMBINED, 5, 1e-2, 4e-4, 1e-4, 2e-4),
         # measured: 3.5e-4, 3.8e-4, 2.0e-4
         ("preload and moment", PRELOAD, 50, 1e-3, 2e-3, 2e-3, 1e-2),
-        # the state is steady as the balls pass; measured: 9e-6, 3e-6; the tilt should be zero and
-        # is 5e-8 rad, which corresponds to the step error of 1 nm divided by 30 mm
+        # the state does not change during a ball pass; measured: 9e-6, 3e-6; the tilt should be
+        # zero and is 5e-8 rad, which corresponds to the step error of 1 nm divided by 30 mm
         ("axial", AXIAL, 50, 1e-3, 1e-4, 1e-4, 2e-7),
         # measured: 5.4e-4, 4.9e-4; the tilt is imposed
         ("20 arc-minutes", HELD, 50, 1e-3, 2e-3, 2e-3, 1e-9),

@@ -20,7 +20,7 @@ ASK = Ask(strength=STRENGTH, frequency=HERTZ, resistivity=RHO)
 
 
 def measured(folder, words, record=True, samples=60):
-    """Return (columns of the fix's file by name, the run), where the run is None without a
+    """Return (columns of the fix's file by name, the run), where the run is None if there is no
     record."""
     folder.mkdir()
     (folder / "more").write_text(
@@ -60,8 +60,8 @@ def test_the_fix_gives_the_numbers_of_python(pair):
 
 
 def test_impedance_is_that_of_the_whole(pair):
-    """Far above the corner frequency only the capacitance determines the impedance, and far below
-    it only the leakage."""
+    """Far above the corner frequency, the impedance is determined by the capacitance alone, and far
+    below it by the leakage alone."""
     _, of = pair
     whole = whole_capacitance.over_time(of)
     z = film_figures.spectrum(whole, np.array([1e-4, 1e8]), RHO)

@@ -15,8 +15,8 @@ from raceway.theory.bearing import INNER
 
 from scenarios import closed_forms
 
-# bounds on the differences between the quasi-static run and statics, which are means over balls and
-# samples: relative to the effect of the film, and relative to the total value
+# bounds on the mean differences, over balls and samples, between the quasi-static run and statics:
+# relative to the effect of the film, and relative to the total value
 OF_THE_EFFECT, OF_THE_WHOLE = 0.1, 3e-4
 
 
@@ -133,9 +133,9 @@ def fixed_step(tmp_path):
 
 @pytest.mark.parametrize("rpm", [48, 477.5, 1910])
 def test_longest_explicit_step(fixed_step, rpm):
-    """At 98 % of the limit of fix bearing/timestep the loads stay bounded; at 125 % they do not.
-    The ring is held at a position where one ball carries about 2.4 kN; friction and other dampers
-    are off."""
+    """With a step of 98 % of the limit of fix bearing/timestep, the loads stay bounded; with 125 %,
+    they do not. The ring is held at a position where one ball carries about 2.4 kN; friction and
+    other dampers are off."""
     _, rows = fixed_step(1e-7, rpm)
     limit = rows[:, 2].min()
     assert limit > 4e-6  # the film damper of eq 5 would limit it to 0.02 to 0.9 us

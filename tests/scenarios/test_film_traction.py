@@ -12,7 +12,7 @@ from raceway.runs.tables import RunTables
 from raceway.theory import heat_scene, skidding, steady_heat
 
 OIL = {"rpm": 9549, "lubricant": "vg46", "temperature": 94.5}
-# options that leave out the parts of the model that keep balls from rolling freely
+# options that omit the parts of the model that prevent balls from rolling freely
 PUSHED = {"without": "drag+rolling+rolling_hysteresis", "cage": "no"}
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A ball moves over flaws on an outer raceway. Its path agrees with that of a rigid ball, and its
-energy is balanced."""
+energy is conserved."""
 
 import re
 
@@ -131,9 +131,9 @@ def test_energy(tmp_path, mover, flaw):
 
 
 def test_energy_of_a_ball_that_turns_over_its_own_flaws(tmp_path):
-    """The ball has a pit that is narrower than the ellipse and off its middle, a wave and a
-    tabulated profile, all of them off the equator. The spin supplies the energy for the motion.
-    Both integrators give the same path."""
+    """The ball has a pit, which is narrower than the contact ellipse and off its middle, a wave and
+    a tabulated profile. All of them are off the equator. The spin supplies the energy for the
+    motion. Both integrators give the same path."""
     azimuth = np.arange(4000) * 2 * np.pi / 4000
     np.savetxt(tmp_path / "table.txt", np.c_[azimuth, 2e-7 * np.sin(7 * azimuth)])
     steps = {
@@ -218,7 +218,7 @@ def test_pit_of_a_ball(tmp_path, latitude, share):
 
 
 def test_flaw_turns_with_its_ring(tmp_path):
-    """A ball rests at the bottom without friction, and a flaw on the ring passes it at 10 rad/s."""
+    """A frictionless ball rests at the bottom while a flaw on the ring passes it at 10 rad/s."""
     b = rolled(
         tmp_path,
         notch(1e-3, 1e-3, azimuth=BOTTOM - 0.03),
@@ -235,7 +235,7 @@ def test_flaw_turns_with_its_ring(tmp_path):
 
 
 def test_table(tmp_path):
-    """Tables of measured points describe a wave, and a slot that is bridged by the ball."""
+    """Tables of measured points describe a wave and a slot that the ball bridges."""
     azimuth = np.arange(20000) * 2 * np.pi / 20000
     tables = {
         "wave": 1e-7 * np.cos(31 * azimuth),

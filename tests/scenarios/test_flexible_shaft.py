@@ -238,8 +238,8 @@ def in_the_air(found, time, spin, support):
 
 @pytest.mark.parametrize("support", [Support(), Support(4e6, 60.0, 3e4, 2.0)])
 def test_in_the_air(tmp_path, damped, support):
-    """Loads, a moment, a rotating force and an unbalance excite the modes of a shaft along x, both
-    without supports and with supports at its centre."""
+    """Loads, a moment, a rotating force and an unbalance excite the modes of a shaft along x, with
+    and without supports at its centre."""
     spin, time = 2000.0, 2e-3
     wanted = ["2", "3", "7", "8", "27"] + [str(k) for k in range(28, 34)]
     rings = [f"f_s[2][{k}]" for k in (2, 3, 7, 8, 28, 29, 30, 31)]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film, damping and capacitance of every recorded contact agree with the formulas for the load and
-the speed of this contact."""
+"""Film thickness, damping and capacitance of every recorded contact agree with the formulas,
+evaluated for the load and the speed of this contact."""
 
 import numpy as np
 import pytest

@@ -64,7 +64,7 @@ def rests(force):
 
 
 def test_path_of_statics(path):
-    """The curve of displacement against force agrees with statics over the whole cycle."""
+    """The displacement as a function of force agrees with statics over the whole cycle."""
     time, place, force, _ = path
     some = np.flatnonzero(time > SETTLED)[::4]
     want = np.array([rest.shift[2] for rest in rests(force[some])])
@@ -143,8 +143,8 @@ def test_tilted_ring_with_both_integrators(tmp_path):
 
 
 def seated(folder, way, extra):
-    """Return the positions (x, y, z) in m at which create_bearing places ball 1 and the inner
-    ring."""
+    """Return the positions at which create_bearing places ball 1 and the inner ring, each as (x, y,
+    z) in m."""
     folder.mkdir()
     dump = "dump all all custom 1 ${out}/all.dump id x y z"
     dump += '\ndump_modify all format "%d %.15g %.15g %.15g"'
@@ -220,8 +220,8 @@ def last(path):
 
 @pytest.fixture(scope="module")
 def outputs(tmp_path_factory):
-    """Return (folder, loads in N at the last sample as an array (raceway, groove, ball)) of a
-    lubricated run with all kinds of output."""
+    """Return the folder of a lubricated run with all types of output, and the loads (N) in its last
+    sample as an array (raceway, groove, ball)."""
     folder = tmp_path_factory.mktemp("outputs")
     turned(folder, WET)
     loads = np.zeros((2, 2, 9))
@@ -231,7 +231,7 @@ def outputs(tmp_path_factory):
 
 
 def test_by_ball(outputs):
-    """The values for a ball are those of the contact with the larger load."""
+    """The values listed for a ball are those of its more heavily loaded contact."""
     folder, loads = outputs
     table = last(folder / "balls.dump")
     assert table[:, 1] == pytest.approx(loads[0].max(axis=0), rel=1e-5)

@@ -51,8 +51,8 @@ def test_preload_line(line):
 
 
 def test_unloading(line):
-    """One bearing is unloaded when the other takes the whole spread. This happens at 2.8 times the
-    preload, or slightly later because the contact angle increases."""
+    """One bearing is unloaded when the other accommodates the whole spread. This happens at 2.8
+    times the preload, or slightly later because the contact angle increases."""
     load, place, _, second = line
     at_end = np.interp(SPREAD, place, load)
     assert at_end == pytest.approx(pull(2 * SPREAD), rel=1e-2)
@@ -81,8 +81,8 @@ def test_as_one_double_row_bearing(line):
 
 
 def test_face_to_face(line, tmp_path):
-    """In a face-to-face pair, the bearings exchange roles; the curve of load against displacement
-    of the pair is the same."""
+    """In a face-to-face pair, the bearings exchange roles, but the displacement of the pair as a
+    function of load is the same."""
     face = {"first": "minus", "second": "plus", "spread": -SPREAD}
     succeed("docs/decks/in.pair", out=tmp_path, **face)
     load, place, first, second = np.loadtxt(tmp_path / "line.dat").T

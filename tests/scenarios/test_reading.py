@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of values that are found from runs of the main deck: kinematic frequencies, the power
-balance, and the trajectory in MDAnalysis."""
+"""Tests of quantities that are computed from runs of the main deck: kinematic frequencies, the
+power balance, and the trajectory in MDAnalysis."""
 
 import numpy as np
 import pytest
@@ -22,9 +22,9 @@ def long(tmp_path_factory):
 
 @pytest.mark.parametrize("signal", ["x", "y", "shift", "fx", "fy", "mz", "capacitance"])
 def test_ball_pass_frequency_and_harmonics(long, signal):
-    """The stiffness varies as balls pass the load. The frequencies agree with kinematics within 0.2
-    %: slip makes the cage slower by 4e-4, and noise in the weakest signal (fx, with the implicit
-    integrator) shifts a peak by 2e-4."""
+    """The stiffness varies as balls pass through the load zone. The frequencies agree with
+    kinematics within 0.2 %: slip slows the cage by 4e-4, and noise in the weakest signal (fx, with
+    the implicit integrator) shifts a peak by 2e-4."""
     found = {
         (line.name, line.harmonic): line
         for line in spectrum.lines(long, spectrum.of_run(long, signal))
@@ -90,9 +90,9 @@ def test_smoothed_friction_takes_force_times_sliding(long):
 
 def test_shaft_pays_what_the_contacts_lose(tmp_path):
     """With velocity Verlet, the input power equals the losses. The input varies by 40 mW about a
-    mean of 1.4 mW as springs are loaded and unloaded. Because of slip, a fraction of 4e-4 of the 20
-    passes is not covered, and 40 mW * 4e-4 is 1.2 % of the mean. The tolerance is three times this
-    value.
+    mean of 1.4 mW as springs are loaded and unloaded. Because of slip, the run falls short of 20
+    full passes by a fraction of 4e-4, and 40 mW * 4e-4 is 1.2 % of the mean. The tolerance is three
+    times this value.
     """
     succeed("inputs/in.6208", out=tmp_path / "run", passes=20, settle=4, integrator="verlet")
     mean = losses.losses(raceway.open(tmp_path / "run")).mean()

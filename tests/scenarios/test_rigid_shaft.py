@@ -95,8 +95,8 @@ def test_rings_are_on_the_shaft(resting):
 
 # ---- without contact
 def gyroscope(time, moment, spin):
-    """Return rx + i ry (rad) of a free body, initially at rest, under a moment Mx + i My, from
-    It W' - i Ip spin W = M."""
+    """Return the tilt rx + i ry (rad) of a free body, initially at rest, under a moment Mx + i My.
+    It solves It W' - i Ip spin W = M."""
     rate = 1j * AXIAL * spin / ACROSS
     return moment / (ACROSS * rate) * ((np.exp(rate * time) - 1) / rate - time)
 
@@ -264,8 +264,8 @@ def test_integrators_agree(tmp_path, law):
 
 
 def test_within_a_step(tmp_path):
-    """In samples within long steps, the rings stay on the shaft, and their accelerations are the
-    derivatives of their velocities."""
+    """In samples taken within long steps, the rings stay on the shaft, and their accelerations are
+    the derivatives of their velocities."""
     text = succeed(DECK, out=tmp_path, **WITHIN, words=LOADED).text
     said = yaml.safe_load((tmp_path / "run.yaml").read_text())
     # both bearings form one system and have the same internal steps
@@ -353,7 +353,7 @@ def test_along_x(tmp_path, moved):
 
 
 def test_weight(tmp_path):
-    """fix gravity acts at the centre of mass, so that it does not tilt the shaft."""
+    """The force of fix gravity acts at the centre of mass, so it does not tilt the shaft."""
     text = small(
         tmp_path,
         "fix move all bearing/implicit\nfix g all gravity 9.81 vector 0 -1 0\n"

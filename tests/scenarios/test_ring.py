@@ -51,7 +51,8 @@ def motion(tmp_path, commands, steps, **variables):
 
 
 def test_constant_force_on_a_free_ring(tmp_path):
-    """z = F t^2/(2 m): in this case velocity Verlet is exact, and the columns have 15 digits."""
+    """The displacement is z = F t^2/(2 m). Velocity Verlet is exact in this case, and the columns
+    have 15 digits."""
     t, x, y, z, vz, *_ = motion(
         tmp_path, f"fix inner inner bearing/ring mass {MASS} z free force 3.0 4.0 5.0\n", 2000
     )

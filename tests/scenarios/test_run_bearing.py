@@ -54,7 +54,8 @@ def written(value):
     ids=["implicit", "damping", "step"],
 )
 def test_same_bits_as_commands_of_the_host(scene, within, tmp_path):
-    """`settle N` is a run over the load ramp and N ball passes; the measurement is a second run."""
+    """`settle N` is equivalent to a run over the load ramp and N ball passes, followed by a second
+    run for the measurement."""
     settle, passes, samples = 2, 1, 200
     once = written(ball_pass())
     largest = written(once / samples * within)
@@ -89,8 +90,8 @@ def test_same_bits_as_commands_of_the_host(scene, within, tmp_path):
     ids=["inner", "both rings", "seated", "angle given"],
 )
 def test_ball_pass(scene, closed, tmp_path):
-    """200 samples cover a ball pass whose duration is that of the closed-form solution, for each
-    integrator and several ring speeds."""
+    """For each integrator and several ring speeds, 200 samples cover a ball pass, whose duration
+    agrees with the closed-form solution."""
     succeed(DECK, out=tmp_path, samples=200, settle=0, **scene)
     notes = values(tmp_path)[1]
     assert notes["samples_per_pass"] == 200
@@ -109,7 +110,8 @@ def test_rate(rate, tmp_path):
 
 @pytest.mark.parametrize("scene", [IMPLICIT, DAMPING, VERLET], ids=["all", "damping", "verlet"])
 def test_more_passes(scene, tmp_path):
-    """A run of one pass that is continued for another pass equals a run of two passes."""
+    """A run of one pass that is continued for a second pass gives the same results as a run of two
+    passes."""
     succeed(DECK, out=tmp_path / "two", passes=2, **scene)
     for passes in (1, 2):
         succeed(DECK, out=tmp_path / "one", passes=passes, resume="yes", **scene)
@@ -214,8 +216,8 @@ def test_auto_ends_at_its_limit(tmp_path):
 
 
 def stop(out, scene, share, deck=DECK):
-    """Stop a run when its settling has reached `share`, given in per cent or as a number of ball
-    passes."""
+    """Stop a run when its settling phase has reached `share`, which is given in per cent or as a
+    number of ball passes."""
     command = [HOSTS["liggghts"][0], "-in", deck, "-log", "none", "-var", "out", out]
     for name, value in scene.items():
         command += ["-var", name, str(value)]

@@ -54,8 +54,8 @@ def test_a_settled_run_says_so(runs):
 
 
 def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
-    """With the deck's default settling, the torque of a run is within 1 % of that of the settled
-    run, and the error that `raceway check` finds is at least as large as the difference."""
+    """With the default settling of the deck, the torque is within 1 % of that of the settled run,
+    and the error determined by `raceway check` is at least as large as the difference."""
     name, _, settled, _ = runs
     words = dict(settle=None, **SCENES[name], **OIL)
     succeed("inputs/in.6208", out=tmp_path, **words)

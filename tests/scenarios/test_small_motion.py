@@ -55,8 +55,8 @@ def want(found):
 
 
 def test_stiffness(found, want):
-    """All entries that symmetry allows agree. The other entries vanish, except for those that
-    rotate with the balls."""
+    """All entries that symmetry allows agree with statics. The other entries vanish, except for
+    those due to the rotation of the balls."""
     stiffness, expected = found[0].stiffness, want[0]
     for row, column in ((0, 0), (1, 1), (2, 2), (0, 4), (1, 3), (3, 1), (4, 0)):
         assert stiffness[row, column] == pytest.approx(expected[row, column], rel=1e-3)

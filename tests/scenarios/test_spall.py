@@ -74,7 +74,7 @@ def test_lines_of_a_flawed_ball(tmp_path):
     for hertz in (2 * turns, 2 * turns - cage, 2 * turns + cage, 4 * turns):
         there, above = peak(found, hertz)
         assert there == pytest.approx(hertz, rel=2e-3) and above > 3, hertz
-    # both impacts are equally strong; if there were only one, the line at one turn would be higher
+    # both impacts are equally strong; with only one impact, the line at one turn would be higher
     once, twice = (
         found.to_numpy()[np.abs(found["frequency"].to_numpy() - k * turns) < 1.0].max()
         for k in (1, 2)
@@ -116,7 +116,7 @@ def test_hard_lengths_from_a_housing(tmp_path, raceway, length, more, rings):
 
 
 def test_a_length_that_is_wrong_has_a_warning(tmp_path):
-    """The length is found to be 4.95 mm instead of 2 mm, because ringing caused by the last ball
+    """The computed length is 4.95 mm instead of 2 mm, because ringing caused by the previous ball
     hides the entry of the next ball."""
     case = dict(bearing=6208, load=2000, rpm=3000, mass=0.2)
     with pytest.warns(UserWarning, match="lengths can be wrong by half or more"):
@@ -159,8 +159,7 @@ def lengths_from_a_housing(folder, raceway, passes, length, mass=RING_MASS, **mo
 
 
 def test_length_from_a_contact_load(tmp_path):
-    """Lengths found from balls that do not lose their load over a spall of 1 mm agree within 5
-    %."""
+    """Lengths determined from balls that remain loaded over a 1 mm spall agree within 5 %."""
     length, edge = 1e-3, 2e-5
     succeed(
         "inputs/in.6208",

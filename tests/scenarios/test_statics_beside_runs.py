@@ -19,7 +19,8 @@ SHORT = dict(passes=1, samples=20)
 
 
 def beside(folder, bearing=None):
-    """Return (results of the run, results of statics, reason why there are none)."""
+    """Return (results of the run, results of statics, reason why there are no results of
+    statics)."""
     tables = RunTables(folder, bearing=bearing)
     figures = summary(tables)
     found = statics(tables, figures)

@@ -82,8 +82,8 @@ def swings(tmp_path_factory):
 
 @pytest.mark.parametrize("fall", [0, 9.81])
 def test_energy(tmp_path, fall):
-    """The work of load and gravity equals the heat generated in the dampers plus the energy of
-    motion and of the springs."""
+    """The work of load and gravity equals the heat generated in the dampers plus the kinetic energy
+    and the energy of the springs."""
     text = succeed(DECK, out=tmp_path, fall=fall).text
     work, lost, stored, rest = map(float, re.findall(r"^ *4000 +(.*)$", text, re.M)[-1].split())
     assert work == pytest.approx(lost + stored, abs=1e-6 * work)

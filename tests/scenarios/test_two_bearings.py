@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/decks/in.two_bearings is a plain deck with a 6208 and a 6306 on one shaft, each with its own
-oil."""
+"""docs/decks/in.two_bearings is a self-contained deck with a 6208 and a 6306 on one shaft, which
+are lubricated with different oils."""
 
 import numpy as np
 import pytest
@@ -40,7 +40,7 @@ def test_each_has_its_data(run):
 
 def test_forces_and_moments_balance(run):
     """Averaged over whole ball passes, the reactions of the bearings balance the force and the
-    moment of the loads; the floating bearing carries no thrust."""
+    moment of the loads. The floating bearing does not carry any thrust."""
     force, moment = np.zeros(3), np.zeros(3)
     for number, z in AT.items():
         of, couple = reaction(run, number)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing is defined by its usual data: pitch diameter, conformities, contact angle or clearance,
-pocket play, bore and width."""
+"""A bearing is defined by its standard data: pitch diameter, conformities, contact angle or
+clearance, pocket play, bore and width."""
 
 import contextlib
 import io

@@ -79,7 +79,7 @@ def test_one_wave_whirls_one_way(tmp_path, order, way):
 
 
 def test_other_orders_move_nothing(tmp_path):
-    """With eleven waves at once, no line differs from the line of a smooth bearing by more than
+    """With eleven simultaneous waves, no line differs from that of a smooth bearing by more than
     1e-3 of the amplitude of one wave. The amplitude of the waves is a tenth of that in the other
     tests, because two waves together cause lines in proportion to the product of their amplitudes,
     namely 3e-3 of an amplitude of 10 nm."""
@@ -98,9 +98,9 @@ def test_other_orders_move_nothing(tmp_path):
 def test_waves_of_a_ball(tmp_path):
     """A wave of even order n makes a ball larger and smaller n times per turn relative to the cage.
     The ring then whirls at n times the speed of the ball relative to the cage, plus and minus the
-    cage speed, and moves along its axis at n times this ball speed. A wave of odd order touches
-    both raceways at once, one with a crest and the other with a trough, so it moves nothing. The
-    path of the contacts crosses the wave off the equator. Along the axis the ring is still
+    cage speed, and moves along its axis at n times this ball speed. A wave of odd order touches one
+    raceway with a crest and the other with a trough at the same time, so it does not move the ring.
+    The path of the contacts crosses the wave off the equator. Along the axis the ring is still
     settling, which adds 5e-3 of the line at any speed."""
     time, across, along, _, cage, _ = turned(
         tmp_path, flaw_ball=f"wave 2 {AMPLITUDE} 0.3 wave 3 {AMPLITUDE} 0.3"

@@ -61,8 +61,8 @@ def test_closed_form_verlet(words, speed):
     "words, speed", [("unbalance 1e-5 0.3", 100), ("rotating 0.05 -60 0.3", -60)]
 )
 def test_closed_form_implicit(words, speed):
-    """Internal steps follow the tolerance, so that the results are accurate enough even with host
-    steps of a quarter of a turn."""
+    """Internal steps are chosen according to the tolerance, so the results are accurate even with
+    host steps of a quarter of a turn."""
     force = 1e-5 * 100**2 if "unbalance" in words else 0.05
     exact = whirl(force, speed, 0.3, 0.1)
     found = [
@@ -99,7 +99,8 @@ def test_same_as_rotating_force(integrator):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_run_up(integrator):
-    """If w = b t, the ring loses the momentum of the eccentric mass, which is M E w (-sin, cos)."""
+    """If w = b t, the momentum of the ring decreases by that of the eccentric mass, which is M E w
+    (-sin, cos)."""
     growth, time = 500.0, 0.1
     ring = end(integrator=integrator, spin=f"{growth}*time", words="unbalance 1e-5 0", step=1e-5)
     turned, speed = 0.5 * growth * time**2, growth * time

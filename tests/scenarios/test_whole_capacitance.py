@@ -24,7 +24,8 @@ def run(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def filling():
-    """Return the shoulders from the file of the bearing, because the run does not contain them."""
+    """Return the shoulder diameters from the file of the bearing, because the run does not contain
+    them."""
     return point(Filling("cavitated")).filling
 
 
@@ -77,8 +78,8 @@ def test_plates_are_the_run_s(run, whole):
 
 
 def test_no_jump_where_contact_is_lost(whole):
-    """With 60 samples per pass, the change of a ball's capacitance between two samples is little
-    larger where a contact opens or closes than elsewhere."""
+    """With 60 samples per pass, the change in a ball's capacitance between two samples is only
+    slightly larger where a contact opens or closes than elsewhere."""
     one = whole["one_ball"].to_numpy()
     load = whole["load"].sel(raceway="inner").to_numpy()
     steps = np.abs(np.diff(one, axis=0)) / one[1:]
@@ -89,8 +90,8 @@ def test_no_jump_where_contact_is_lost(whole):
 
 @pytest.mark.parametrize("rpm", [477.5, 9549.0])
 def test_time_is_resolved(tmp_path, rpm):
-    """With clearance, at low and at high speed, using only every second sample gives the same
-    mean."""
+    """With clearance, the mean over every second sample is the same as that over all samples, at
+    low and at high speed."""
     succeed("inputs/in.6208", out=tmp_path / "run", passes=2, rpm=rpm, clearance=CLEARANCE)
     total = whole_capacitance.over_time(raceway.open(tmp_path / "run"))["bearing"][1:].to_numpy()
     assert len(total) >= 398 and np.abs(np.diff(total) / total[1:]).max() < 2e-3
