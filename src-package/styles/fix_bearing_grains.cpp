@@ -17,8 +17,8 @@ using bearing::Arguments;
 using bearing::text;
 using raceway::Vec3;
 
-// if a collision takes fewer steps than the first limit, the run stops; below the second limit, a
-// warning is printed
+// If a collision takes fewer steps than the first limit, the run stops; if it takes fewer than the
+// second, a warning is printed.
 static constexpr double fewest_steps = 5.0, few_steps = 20.0;
 
 // fix ID group bearing/grains [drum SHAFT|none R Z1 Z2] [blades SHAFT|none N R1 R2 Z1 Z2]

@@ -17,7 +17,7 @@ struct FlawedPlace {
 };
 
 // Contacts of up to four balls with one groove. A lane without a ball refers to the ball of another
-// lane and has its own storage for results.
+// lane and has separate storage for results.
 struct ContactLanes {
   struct BallArrays {
     const double *x, *v, *w;    // three components each

@@ -112,7 +112,7 @@ struct PocketContact {
                      // circle, the axis and the radius
   double overlap;    // m, negative: gap
   Vec3 normal;       // from wall to ball
-  Vec3 lever;        // m, from the cage's centre to the ball's centre
+  Vec3 lever;        // m, vector from the cage's centre to the ball's centre
   DampedHertz h;
   double rate = 0.0;    // m/s, rate of the overlap
   double bend = 0.0;    // N/m, due to the rotation of the normal as the ball moves in the bore

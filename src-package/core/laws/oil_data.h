@@ -4,7 +4,7 @@
 // viscosities in mm^2/s.
 //   Walther, ASTM D341   lg lg(nu + 0.7) = A - B lg T, T in K, through nu at 40 and 100 C
 //   Vogel                eta = k exp(b/(T + c))
-//   density, 1/xi linear in temperature (at ambient pressure, FVA 3 gives 1/xi this form)
+//   density, 1/xi        linear in temperature (at ambient pressure, FVA 3 gives 1/xi this form)
 //   permittivity         Clausius-Mossotti: (e - 1)/(e + 2) proportional to the density
 #ifndef RACEWAY_OIL_DATA_H
 #define RACEWAY_OIL_DATA_H

@@ -6,7 +6,7 @@
 //   slot         parts with the same slot exclude each other; "" for none
 //   needs_film   true if the part requires a film
 //   needs        name of another required part; "" for none
-//   Parameters its own parameters with their defaults; has a function prepare(raceway) if some of
+//   Parameters   its parameters with their defaults; has a function prepare(raceway) if some of
 //                them are computed, and reach(raceway) if the gap (m) at which its contacts begin
 //                is not 0
 //   keywords()   the keywords that set its Parameters, with unit and range (Keyword below)

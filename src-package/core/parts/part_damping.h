@@ -84,8 +84,8 @@ struct FilmDamperPart : PartBase {
   }
 };
 
-// Column for all normal damping, i.e. damping by the steel and by the film, either through its
-// damper or through its branch.
+// Column for all normal damping, i.e. damping by the steel, and by the film through either its
+// damper or its branch.
 struct DampingPower {
   static constexpr LossColumn column = {"damping_power", "film",
                                         "power dissipated by normal damping", true};

@@ -106,7 +106,7 @@ const std::vector<DeckVariable> &deck_variables()
       {"axial", "0", "N", "-1.0e6 1.0e6", "bearing/ring",
        "load along the axis; 0: the ring is held in the axial direction"},
       {"moment_x", "0", "N m", "-1.0e5 1.0e5", "bearing/ring",
-       "moment on the ring about x; without moments the tilts of the ring are held"},
+       "moment on the ring about x; if neither moment is given, the ring cannot tilt"},
       {"moment_y", "0", "N m", "-1.0e5 1.0e5", "bearing/ring", "moment on the ring about y"},
       {"unbalance", "0", "kg m", "0 1.0e3", "bearing/ring",
        "mass times eccentricity of an unbalance that rotates with the ring"},

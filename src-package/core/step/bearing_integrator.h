@@ -22,7 +22,7 @@
 // ring, if the method were of first order: g h |V_2 - V_1| (order 1: h |V - V_start|/2). For order
 // 2 this is an upper bound. With dampers_only, the estimate is the distance that a body moves
 // normal to the rolling direction during the step, because the contact of a ball with a groove may
-// be detected too late by this distance. The allowed error of a cage ball is larger than that of a
+// be detected too late by that distance. The allowed error of a cage ball is larger than that of a
 // ball, because the contacts of cage balls are soft and, if the cage drives balls, the vibration of
 // the cage would otherwise determine the step.
 //
