@@ -201,7 +201,7 @@ def install(host, tree):
         if isinstance(error, OSError):
             raise Refused(f"{error}; everything written so far was removed again") from None
         raise
-    print(f"Raceway is in {tree}. {host.hint(tree)[0]}")
+    print(f"Raceway has been installed in {tree}. {host.hint(tree)[0]}")
 
 
 def take_out(src, manifest, patches):
