@@ -7,8 +7,8 @@
 
 The package is installed in TREE/src/RACEWAY, for `make yes-raceway` and for CMake with
 -D PKG_RACEWAY=on, and its name is added to CMake's list of packages. The machine file
-MAKE/MINE/Makefile.raceway is the Makefile.mpi of the tree with the flags of Raceway. All changes are
-listed in TREE/raceway.manifest.
+MAKE/MINE/Makefile.raceway is the Makefile.mpi of the tree with the flags of Raceway. All changes
+are listed in TREE/raceway.manifest.
 """
 
 import re
