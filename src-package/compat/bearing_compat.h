@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Includes the host's headers and defines common names (BRG_...) for what differs between hosts.
-// The include path determines the host: LIGGGHTS 3.x, LAMMPS 29Sep2021 (Debian 12), or LAMMPS
-// 4May2022 and later.
+// Includes the host's headers and defines common names (BRG_...) for everything that differs
+// between hosts. The include path determines the host: LIGGGHTS 3.x, LAMMPS 29Sep2021 (Debian 12),
+// or LAMMPS 4May2022 and later.
 #ifndef BEARING_COMPAT_H
 #define BEARING_COMPAT_H
 
@@ -60,8 +60,8 @@
 #include "compat_lammps.h"
 #endif
 
-// Errors on all ranks or on one rank, and warnings, through the functions of the host. The message
-// is a std::string.
+// Raise errors on all ranks or on one rank, and print warnings, through the functions of the host.
+// The message is a std::string.
 #define BRG_ALL(msg) error->all(FLERR, BRG_TEXT(msg))
 #define BRG_ALL_OF(lmp, msg) lmp->error->all(FLERR, BRG_TEXT(msg))
 #define BRG_ONE(msg) error->one(FLERR, BRG_TEXT(msg))

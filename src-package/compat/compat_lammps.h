@@ -12,7 +12,8 @@ static_assert(sizeof(tag_t) == sizeof(LAMMPS_NS::tagint),
               "LAMMPS_BIGBIG must be defined as in the host");
 typedef LAMMPS_NS::Command CommandBase;
 
-// Ends the run after the current step, with output. All ranks must call it in the same step.
+// Ends the run after the current step, whose output is still written. All ranks must call it in the
+// same step.
 inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp) { lmp->timer->force_timeout(); }
 }    // namespace bearing
 

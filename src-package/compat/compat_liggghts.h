@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Interface of LIGGGHTS 3.x, which corresponds to LAMMPS of about 2014.
+// Interface of LIGGGHTS 3.x, which corresponds to a LAMMPS version from about 2014.
 #ifndef BEARING_COMPAT_LIGGGHTS_H
 #define BEARING_COMPAT_LIGGGHTS_H
 
@@ -9,7 +9,8 @@
 namespace bearing {
 typedef LAMMPS_NS::Pointers CommandBase;
 
-// Ends the run after the current step, with output. All ranks must call it in the same step.
+// Ends the run after the current step, whose output is still written. All ranks must call it in the
+// same step.
 inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *)
 {
   LAMMPS_NS::SignalHandler::request_write_restart = false;

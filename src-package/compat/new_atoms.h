@@ -13,7 +13,8 @@
 #if BEARING_IS_LIGGGHTS
 #include "atom_vec.h"
 #else
-#include "library.h"    // the wheel has no atom_vec.h, so the C interface creates atoms
+#include "library.h"    // the wheel does not contain atom_vec.h, so atoms are created through the C
+                        // interface
 #endif
 
 namespace bearing {
@@ -66,18 +67,18 @@ inline void make_atoms(LAMMPS_NS::LAMMPS *lmp, const std::vector<NewAtom> &list)
   }
 }
 
-// Updates the host's map from tags to atoms after this rank has created the atoms from the local
-// index `first` onwards. `atoms_before` is the previous number of atoms on all ranks, and `top` is
-// the current largest tag. Collective.
+// Updates the host's map from tags to atoms after this rank has created the atoms whose local
+// indices start at `first`. `atoms_before` is the previous number of atoms on all ranks, and `top`
+// is the current largest tag. Must be called on all ranks.
 inline void map_atoms(LAMMPS_NS::LAMMPS *lmp, int first, double atoms_before, tag_t top)
 {
   LAMMPS_NS::Atom &atom = *lmp->atom;
 #if BEARING_IS_LIGGGHTS
-  // Rebuilding the map for every bearing would take a time that is quadratic in the number of
-  // bearings. The map is therefore built for twice as many tags and afterwards only extended by the
-  // new atoms. The host also has an array by local atom. When the map is built, this array has 1000
-  // entries more than there are atoms (EXTRA in the host's atom_map.cpp), and none on a rank
-  // without atoms.
+  // If the map were rebuilt for every bearing, the total time would be quadratic in the number of
+  // bearings. The map is therefore built for twice as many tags, and afterwards only the new atoms
+  // are added. The host also has an array that is indexed by local atom. When the map is built,
+  // this array has 1000 entries more than there are atoms (EXTRA in the host's atom_map.cpp), and
+  // none on a rank without atoms.
   constexpr double spare = 1000.0;
   const bool array = atom.map_style == 1;
   int mine = array && atom.nghost == 0 && (first > 0 || atom.nlocal == 0), all;

@@ -10,7 +10,7 @@ namespace bearing {
 inline bool is_liggghts() { return std::string(BRG_HOST_KIND) == "liggghts"; }
 
 inline const char *sphere_style() { return is_liggghts() ? "granular" : "sphere"; }
-// Returns the command that makes ghost atoms have velocities.
+// Returns the command with which velocities are also sent to ghost atoms.
 inline const char *ghost_velocities()
 {
   return is_liggghts() ? "communicate single vel yes" : "comm_modify mode single vel yes";

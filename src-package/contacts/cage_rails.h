@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The rails of one cage, and the cage balls of this rank that they hold.
+// The rails of one cage, and the cage balls of this rank that are held by them.
 #ifndef BEARING_CAGE_RAILS_H
 #define BEARING_CAGE_RAILS_H
 
@@ -15,7 +15,7 @@ struct CageRails {
     int i, i_ring;    // local indices of the cage ball and of the ring that carries the rails
     tag_t tag, ring;
     int claim;            // index in RingSum; -1 if not yet claimed
-    double loss = 0.0;    // W, dissipated at the rails in the last step
+    double loss = 0.0;    // W, power dissipated at the rails in the last step
   };
   std::vector<raceway::Rail> rails;
   std::vector<double> stiffness;    // N/m^1.5, one value per rail

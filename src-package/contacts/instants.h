@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // State of the bearings at instants within a host step, as provided by fix bearing/implicit.
-// Vectors are in the lab frame.
+// Vectors refer to the lab frame.
 #ifndef BEARING_INSTANTS_H
 #define BEARING_INSTANTS_H
 
@@ -18,7 +18,7 @@ namespace bearing {
 struct Instants {
   int number = 0;
   raceway::CapacitorModel capacitor;
-  bool states = false;    // true if contact states are requested, too
+  bool states = false;    // true if contact states are also requested
 };
 
 // A possible contact between a ball and a groove.
@@ -41,18 +41,19 @@ struct InstantRing {
   double of[of_ring::AZ + 1];    // values from of_ring::RING onwards
 };
 
-// Called for the parts of a bearing, first for the contacts, ball by ball, and then for the bodies.
+// Functions that are called for the parts of a bearing, first for the contacts, ball by ball, and
+// then for the bodies.
 struct InstantReader {
   std::function<void(const InstantContact &)> contact;
   std::function<void(const InstantBody &)> body;    // may be null
   std::function<void(const InstantRing &)> ring;    // may be null
 };
 
-// A fix that makes its own substeps within the host step (fix bearing/implicit).
+// A fix that performs separate substeps within the host step (fix bearing/implicit).
 class InstantSource {
  public:
   // Must be called in the setup() of another fix. The instants are then available after every step.
-  // Error messages name `command`.
+  // Error messages contain the name `command`.
   virtual void want_instants(const Instants &, const std::string &command) = 0;
   // Reads the k-th instant (counted from 1) of the bearings whose home is on this rank.
   virtual void read_instant(int k, const InstantReader &) const = 0;

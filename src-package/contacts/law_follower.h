@@ -7,7 +7,8 @@ namespace bearing {
 
 class LawFollower {
  public:
-  // Called before the bodies move in a step. Acts only once per step, however often it is called.
+  // Called before the bodies move in a step. It has an effect only once per step, regardless of how
+  // often it is called.
   virtual void begin_step() = 0;
 
  protected:

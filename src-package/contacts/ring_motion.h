@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of a ring that is stored from step to step in addition to the position, velocity and spin
-// of its atom.
+// The part of the state of a ring that is stored from step to step in addition to the position,
+// velocity and spin of its atom.
 #ifndef BEARING_RING_MOTION_H
 #define BEARING_RING_MOTION_H
 
@@ -19,7 +19,7 @@ struct RingMotion {
   double step = 0.0;    // s, next substep requested by fix bearing/implicit (first ring only), or 0
 };
 
-// Read the place of the ring atom i from the atom and its motion, which are in the lab frame, and
+// Read the RingPlace of ring atom i from the atom and its motion, which refer to the lab frame, and
 // write it back.
 inline void read_place(const LAMMPS_NS::Atom &atom, int i, const RingMotion &m,
                        const raceway::LabAxes &axes, raceway::RingPlace &p)

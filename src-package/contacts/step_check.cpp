@@ -28,7 +28,7 @@ static void keep_smaller(StepLimit &limit, double k, double c, double m, int cau
 {
   const double step = verlet_step_limit(k, c, m, film);
   if (step >= limit.step) return;
-  // the damper is the cause if the limit of the spring alone would be more than twice the step
+  // the damper is the cause if the limit due to the spring alone would be more than twice the step
   if (cause == StepLimit::spring && verlet_step_limit(k, 0.0, m) > 2.0 * step)
     cause = StepLimit::film_damper;
   limit = StepLimit{step, cause, ball, k, c};
@@ -68,8 +68,8 @@ StepLimit step_limit(LAMMPS *lmp, const ContactTable &table)
   for (const SphereContact &s : table.sphere)
     if (s.stiffness > 0.0)
       keep_smaller(limit, s.stiffness, s.damping, s.mass, StepLimit::cage, s.tag_i);
-  // a ball and the cage vibrate against each other on one spring, and several balls may press on
-  // the cage
+  // a ball and the cage vibrate against each other on the same spring, and several balls may press
+  // on the cage
   for (const PocketRow &p : table.pocket)
     if (p.stiffness > 0.0)
       keep_smaller(limit, 2.0 * p.stiffness, 2.0 * p.damping, p.mass, StepLimit::cage, p.ball);

@@ -24,9 +24,9 @@ struct StepLimit {
   std::string why() const;
 };
 
-// Returns the minimum over all ranks. The limit in the normal direction follows from the sum over
-// the raceways of a ball and the ball's mass m_b; the limit in the tangential direction, from the
-// mass 2/7 m_b of a rolling sphere; and the limit of cage contacts, from the reduced mass. If no
+// Returns the minimum over all ranks. In the normal direction, the limit follows from the sum over
+// the raceways of a ball and from the ball's mass m_b. In the tangential direction, it follows from
+// the effective mass 2/7 m_b of a rolling sphere, and at cage contacts from the reduced mass. If no
 // contact is live, the limit is that of the spring at an overlap of 1 um.
 StepLimit step_limit(LAMMPS_NS::LAMMPS *lmp, const ContactTable &table);
 

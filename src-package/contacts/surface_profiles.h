@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Profiles of raceways, by ring, and of balls, i.e. deviations of the surfaces from a torus or a
-// sphere.
+// Profiles of the raceways of each ring and of balls, i.e. deviations of the surfaces from a torus
+// or a sphere.
 #ifndef BEARING_SURFACE_PROFILES_H
 #define BEARING_SURFACE_PROFILES_H
 

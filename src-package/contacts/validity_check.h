@@ -16,7 +16,8 @@ namespace bearing {
 
 class ValidityCheck {
  public:
-  // Set the shoulders of the grooves in which a group's balls run, if the deck specifies them.
+  // Set the shoulders of the grooves in which the balls of a group run, if they are specified in
+  // the deck.
   void forget_shoulders() { shoulders_.clear(); }
   void add_shoulders(int groupbit, const raceway::CapacitorModel &m)
   {
@@ -24,7 +25,8 @@ class ValidityCheck {
   }
   // Checks the contacts of this rank in this step. `mask` contains the groups of each atom.
   void look(const ContactTable &, const int *mask, bool film);
-  // Warns of violations found since the last call, once per kind. Collective.
+  // Prints a warning, once per kind, about violations found since the last call. Must be called on
+  // all ranks.
   void report(LAMMPS_NS::LAMMPS *, bool capacitance);
 
  private:

@@ -8,7 +8,7 @@ namespace bearing {
 void stop_run(LAMMPS_NS::LAMMPS *lmp, const std::string &why)
 {
   BRG_ALL_OF(lmp, why);
-  std::abort();    // not reached, because the error above ends the run
+  std::abort();    // this line is not reached, because the error above ends the run
 }
 
 bool is_first_rank(LAMMPS_NS::LAMMPS *lmp) { return lmp->comm->me == 0; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Columns of a compute for a dump, or of a fix for fix print, as used by the command bearing_dump.
+// Interface for the columns of a compute in a dump, or of a fix in fix print, as used by the
+// command bearing_dump.
 #ifndef BEARING_COLUMN_LIST_H
 #define BEARING_COLUMN_LIST_H
 

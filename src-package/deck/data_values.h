@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers and words by name, for laws that derive some of the values from others. Numbers are
-// stored as text with fifteen digits, like the results of formulas in the hosts.
+// Named numbers and words, for laws that derive some of the values from others. Numbers are stored
+// as text with fifteen digits, as are the results of formulas in the hosts.
 #ifndef BEARING_DATA_VALUES_H
 #define BEARING_DATA_VALUES_H
 
@@ -14,7 +14,7 @@ class DataValues {
  public:
   typedef std::map<std::string, std::string> Map;
 
-  // Uses the values of `map`. In messages they are described by `whose`, e.g. "'6208' of
+  // Uses the values of `map`. In messages the data are described by `whose`, e.g. "'6208' of
   // 'inputs/bearings'".
   DataValues(const Arguments &args, Map &map, const std::string &whose) :
       args_(args), map_(map), whose_(whose)

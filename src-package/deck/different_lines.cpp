@@ -18,8 +18,8 @@ std::string missing_line(const std::vector<std::string> &list,
   return "";
 }
 
-// Shortens two command lines to the name of the command and the words from their first to their
-// last difference.
+// Shortens two command lines to the name of the command and the words from the first difference to
+// the last.
 void leave_difference(std::string &one, std::string &other)
 {
   std::vector<std::string> words[2];
@@ -29,7 +29,7 @@ void leave_difference(std::string &one, std::string &other)
     for (std::string word; in >> word;) words[k].push_back(word);
   }
   const size_t shorter = std::min(words[0].size(), words[1].size());
-  size_t first = 0, last = 0;    // number of equal words at both ends
+  size_t first = 0, last = 0;    // numbers of equal words at the start and at the end
   while (first < shorter && words[0][first] == words[1][first]) ++first;
   while (last < shorter - first && words[0].end()[-1 - last] == words[1].end()[-1 - last]) ++last;
   for (int k = 0; k < 2; ++k) {

@@ -9,8 +9,9 @@
 
 namespace bearing {
 
-// Returns the first line of each list that is missing in the other list, or an empty string if
-// there is none. If each list has such a line, both lines are shortened to the words that differ.
+// Returns, for each list, its first line that is missing in the other list, or an empty string if
+// there is none. If both lists have such a line, the two lines are shortened to the words that
+// differ.
 std::pair<std::string, std::string> different_lines(const std::vector<std::string> &one,
                                                     const std::vector<std::string> &other);
 

@@ -13,8 +13,8 @@ struct Data {
   std::string complaint = {}, label = {}, lines = {};
 };
 
-// `name` may also be the path of a file if it contains a '/'. The function reads files, so it
-// should be called on only one rank.
+// `name` may also be the path of a file if it contains a '/'. Because the function reads files, it
+// should be called on one rank only.
 Data find_data(std::string folder, std::string name);
 
 std::string joined(const std::vector<std::string> &names, const char *between = ", ");

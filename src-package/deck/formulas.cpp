@@ -11,8 +11,8 @@ using namespace LAMMPS_NS;
 namespace bearing {
 
 // The hosts evaluate formulas, but have no function that returns the text of a formula or the style
-// of a variable. The private members are accessed by an explicit instantiation, which may name
-// them.
+// of a variable. The private members are therefore accessed through an explicit instantiation,
+// which is allowed to name them.
 typedef char ***Variable::*Texts;
 typedef int *Variable::*Styles;
 Texts texts_of_variables();

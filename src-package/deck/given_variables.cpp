@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace bearing {
 
-// Returns the command line of the program, of which the host stores no copy.
+// Returns the command line of the program. The host does not store a copy of it.
 static std::vector<std::string> command_line()
 {
   std::ifstream file("/proc/self/cmdline");
@@ -45,7 +45,7 @@ static std::vector<std::string> command_words(std::istream &file, std::string li
   return words;
 }
 
-// Returns the name of the variable if the word ends with ${NAME}, and an empty string otherwise.
+// Returns NAME if the word ends with ${NAME}, and an empty string otherwise.
 static std::string named_in(const std::string &word)
 {
   const size_t at = word.find("${");

@@ -11,14 +11,15 @@ namespace bearing {
 
 typedef std::set<std::string> Names;
 
-// Returns the words that follow either of two options on the program's command line.
+// Returns the words that follow either of the two options on the command line of the program.
 Names words_after(const char *option, const char *other);
 
 // Variables of a deck.
 struct DeckNames {
   Names settable;    // variables that -var can set, and words after `vars`
   Names index;       // variables defined by lines `variable NAME index VALUE`
-  Names passed;      // passed to a command after `vars`, or as `NAME ${NAME}` or `NA ${NA_ME}`
+  Names passed;      // variables passed to a command after `vars`, or as `NAME ${NAME}` or `NA
+                     // ${NA_ME}`
 };
 
 // Adds the variables of the deck in a file. Returns false if the file cannot be read.
@@ -28,10 +29,10 @@ bool collect(const std::filesystem::path &, DeckNames &);
 // program was started.
 Names set_by_deck();
 
-// Collects the variables that can be set in all files and tables of a folder.
+// Collects the variables that can be set in any of the files and tables in a folder.
 void collect_folder(const std::string &folder, Names &);
 
-// Returns the name of the file that the host reads, or an empty string for the standard input.
+// Returns the name of the file that the host reads, or an empty string if it reads standard input.
 std::string deck_name(FILE *infile);
 
 // Adds the variables of the deck `infile` (or null) that the host reads, and of the decks given by
@@ -40,8 +41,8 @@ void collect_deck(FILE *infile, DeckNames &);
 
 std::string nearest(const std::string &name, const Names &);
 
-// Returns an error message if a value of -var is empty or has a unit after its number, and an empty
-// string otherwise.
+// Returns an error message if a value given with -var is empty or is followed by a unit, and an
+// empty string otherwise.
 std::string wrong_with(const std::string &value);
 
 }    // namespace bearing

@@ -15,7 +15,7 @@ namespace bearing {
 
 namespace {
 
-// Returns the names of data that the user sets with -var or in the deck.
+// Returns the names of the data that the user has set with -var or in the deck.
 Names given_names(const Names &set, const DataValues::Map &of_file)
 {
   Names found;
@@ -88,7 +88,8 @@ std::string note_of_deck(const NamedData &data)
     const auto of_file = data.of_file.find(name);
     if (of_file == data.of_file.end() || of_file->second == data.values.at(name)) continue;
     const DeckVariable *const of = find_deck_variable(name);
-    if (of && !of->of_data()) continue;    // the temperature belongs to the pair style
+    if (of && !of->of_data()) continue;    // variables such as the temperature belong to the pair
+                                           // style
     list += (list.empty() ? "" : ", ") + name + " " + data.values.at(name) + " instead of " +
             of_file->second;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Data of a bearing or an oil as names and values, read from a file or a row of a catalogue. Values
-// given by the user take precedence.
+// Data of a bearing or an oil, stored as names and values. They are read from a file or a row of a
+// catalogue, but values given by the user take precedence.
 #ifndef BEARING_NAMED_DATA_H
 #define BEARING_NAMED_DATA_H
 
@@ -8,10 +8,10 @@
 
 namespace bearing {
 
-// Data from lines `variable NAME index VALUE` of the file INPUTS/SORT/NAME, from a row NAME of the
-// tables in that folder, or from the file NAME if it contains a '/'. If a name occurs more than
-// once, the first line is used; -var and the deck's own `variable` commands take precedence.
-// Collective.
+// Data read from lines `variable NAME index VALUE` of the file INPUTS/SORT/NAME, from a row NAME of
+// the tables in that folder, or from the file NAME if it contains a '/'. If a name occurs more than
+// once, the first line is used; -var and the deck's own `variable` commands take precedence. Must
+// be called on all ranks.
 struct NamedData {
   std::string label;    // for messages
   DataValues::Map values;
@@ -21,16 +21,16 @@ struct NamedData {
 NamedData read_data(LAMMPS_NS::LAMMPS *, const Arguments &, const std::string &inputs,
                     const std::string &sort, const std::string &name);
 
-// Returns the data of these kinds that differ from those in the file, as NAME=VALUE.
+// Returns the data of the given kinds whose values differ from those in the file, as NAME=VALUE.
 std::vector<std::string> given_of(const NamedData &, const std::vector<std::string> &kinds);
 
-// Returns a note to the user about data of the file that the deck replaces, or an empty string if
-// it replaces none.
+// Returns a note to the user about data in the file that are replaced by the deck, or an empty
+// string if there are none.
 std::string note_of_deck(const NamedData &);
 
-// Sets the defaults of those variables in the table that belong to `of`, and checks all of them.
-// Stops with an error if a variable without a default is missing. Returns the names of the
-// variables that were set.
+// Sets the defaults of the variables in the table that belong to `of`, and checks all of these
+// variables. Stops with an error if a variable without a default is missing. Returns the names of
+// the variables that were set.
 std::vector<std::string> check_data(const Arguments &, NamedData &, const std::string &of);
 
 }    // namespace bearing

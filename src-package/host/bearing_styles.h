@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The single list of the styles, from which every loader registers them.
+// The only list of the styles; every loader registers the styles in it.
 #ifndef BEARING_STYLES_H
 #define BEARING_STYLES_H
 

@@ -32,7 +32,8 @@ __attribute__((visibility("default"))) void LAMMPS::post_create()
             "raceway: this is not the host it was built for: LAMMPS::post_create() not found\n");
     abort();
   }
-  // the host ends a failed rank with MPI_Abort, which drops buffered output, so buffer only by line
+  // the host ends a failed rank with MPI_Abort, which discards buffered output, so output is only
+  // line-buffered
   setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   raceway_register(this);
   next(this);

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Make the styles a package, RACEWAY, of a LAMMPS source tree, or remove the package.
+"""Add the styles to a LAMMPS source tree as the package RACEWAY, or remove the package.
 
     python3 src-package/host/lammps_tree.py install TREE
     python3 src-package/host/lammps_tree.py uninstall TREE
 
 The package is installed in TREE/src/RACEWAY, for `make yes-raceway` and for CMake with
 -D PKG_RACEWAY=on, and its name is added to CMake's list of packages. The machine file
-MAKE/MINE/Makefile.raceway is the tree's own Makefile.mpi with the flags of Raceway. All changes are
-listed in TREE/raceway.manifest.
+MAKE/MINE/Makefile.raceway is the Makefile.mpi of the tree with the flags of Raceway. All changes
+are listed in TREE/raceway.manifest.
 """
 
 import re

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Put the styles into an upstream LIGGGHTS 3.8.0 source tree, with the patches that a modern
+"""Install the styles in an upstream LIGGGHTS 3.8.0 source tree, with the patches that a modern
 compiler needs, or remove both.
 
     python3 src-package/host/liggghts_tree.py install TREE

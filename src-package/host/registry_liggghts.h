@@ -16,8 +16,8 @@ using FixCreator = Fix *(*)(LAMMPS *, int, char **);
 using ComputeCreator = Compute *(*)(LAMMPS *, int, int, char **);
 using CommandCreator = void (*)(LAMMPS *, int, char **);
 
-// These maps are not public in LIGGGHTS 3.8. They are accessed by an explicit instantiation, which
-// may name a private member.
+// These maps are not public in LIGGGHTS 3.8. They are accessed through an explicit instantiation,
+// which is allowed to name a private member.
 template <class Tag, typename Tag::type Member> struct Reach {
   friend typename Tag::type member(Tag) { return Member; }
 };

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Put the styles into a source tree of a host, or remove them.
+"""Install the styles in the source tree of a host, or remove them.
 
 Everything is checked before anything is written. All changes are listed in a manifest, and
 uninstall reverts exactly these changes. A `Host` describes the source tree of a host and the
@@ -201,7 +201,7 @@ def install(host, tree):
         if isinstance(error, OSError):
             raise Refused(f"{error}; everything written so far was removed again") from None
         raise
-    print(f"Raceway is in {tree}. {host.hint(tree)[0]}")
+    print(f"Raceway has been installed in {tree}. {host.hint(tree)[0]}")
 
 
 def take_out(src, manifest, patches):

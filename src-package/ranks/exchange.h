@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All-to-all exchange. The p-th list of the result is the list that rank p has for this rank.
+// All-to-all exchange of lists. The p-th list of the result is the list that rank p has for this
+// rank.
 #ifndef BEARING_EXCHANGE_H
 #define BEARING_EXCHANGE_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Gathers the vectors of plain structs of all ranks, in rank order, on every rank.
+// Gathers the vectors of plain structs from all ranks on every rank, in rank order.
 #ifndef BEARING_GATHER_H
 #define BEARING_GATHER_H
 
@@ -31,7 +31,7 @@ template <class T> std::vector<T> gather_all(const std::vector<T> &mine, MPI_Com
   return all;
 }
 
-// Does the same without a copy if there is only one rank; otherwise the result is stored in
+// Does the same, but without a copy if there is only one rank. Otherwise the result is stored in
 // `space`.
 template <class T>
 const std::vector<T> &gather_all(const std::vector<T> &mine, std::vector<T> &space, MPI_Comm world)
@@ -43,8 +43,8 @@ const std::vector<T> &gather_all(const std::vector<T> &mine, std::vector<T> &spa
   return space;
 }
 
-// Gathers the numbers of all ranks into `all` on rank 0, in rank order. Returns the offset of each
-// rank's numbers followed by the total on rank 0, and an empty vector on other ranks.
+// Gathers the numbers from all ranks into `all` on rank 0, in rank order. Returns the offset of
+// each rank's numbers followed by the total on rank 0, and an empty vector on other ranks.
 inline std::vector<size_t> gather_to_first(const std::vector<double> &mine,
                                            std::vector<double> &all, MPI_Comm world)
 {

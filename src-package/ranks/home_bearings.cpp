@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sends the state of the bearings from the owners of the atoms to the home ranks and back in every
-// step. The bearings are found in home_bearings_build.cpp.
+// step. Finding the bearings is implemented in home_bearings_build.cpp.
 #include "home_bearings.h"
 
 #include "letters.h"
@@ -16,7 +16,7 @@ namespace bearing {
 
 static constexpr int pose_letters = 6208;    // MPI message tag, used only in this file
 
-// States are sent as raw memory that is interpreted as numbers.
+// States are sent as raw memory, which is interpreted as numbers.
 static_assert(std::is_trivially_copyable<BodyPose>::value &&
                   std::is_trivially_copyable<RingPose>::value,
               "sent as they are");

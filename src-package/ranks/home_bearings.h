@@ -5,9 +5,10 @@
 // A bearing consists of everything that is connected through possible contacts. Its home is the
 // rank that owns its ring with the lowest tag. After a neighbour build, build() finds the bearings
 // and sends their pieces to their homes. In every step, gather() sends the state of the bodies to
-// the homes, and scatter() returns it to the owners of the atoms. A model lists everything by tag,
-// so its results do not depend on the number of ranks. Messages are sent only between owners and
-// homes, one per pair of ranks; a bearing that lies entirely on its home rank needs none.
+// the homes, and scatter() returns it to the owners of the atoms. Everything in a model is sorted
+// by tag, so its results do not depend on the number of ranks. Messages are sent only between
+// owners and homes, one per pair of ranks; none are needed for a bearing that lies entirely on its
+// home rank.
 #ifndef BEARING_HOME_BEARINGS_H
 #define BEARING_HOME_BEARINGS_H
 
@@ -24,13 +25,13 @@
 
 namespace bearing {
 
-// Contribution of a rank to the bearings of which it owns atoms.
+// Contribution of a rank to the bearings whose atoms it owns.
 struct BearingSources {
   struct MovedRing {
     int i;        // owned atom
     int mover;    // index of the fix that moves it, which is the same on all ranks
     std::vector<raceway::RingValue> own;
-    tag_t shaft = 0;     // first ring on the shaft of the ring; 0 if there is no shaft
+    tag_t shaft = 0;     // first ring on the shaft that carries the ring; 0 if there is no shaft
     double at = 0.0;     // m, position on the shaft relative to its centre
     tag_t holder = 0;    // ring to which its supports connect; 0 for the ground
   };
@@ -38,7 +39,7 @@ struct BearingSources {
   int states = 0;    // number of state variables of the contact law per contact
   raceway::LabAxes axes;
   std::vector<const CageRails *> cages;           // the same list in the same order on all ranks
-  std::vector<const CagePockets *> cage_rings;    // as for cages
+  std::vector<const CagePockets *> cage_rings;    // the same order applies as for `cages`
   std::vector<MovedRing> moved;
   std::function<bool(int type)> is_ring, is_ball;
   std::function<const raceway::RacewayPhysics *(int ball_type, int ring_type, int groove)> raceway;
@@ -52,14 +53,14 @@ struct BearingSources {
 
 class HomeBearings : protected LAMMPS_NS::Pointers {
  public:
-  // `command` is the prefix of messages.
+  // `command` is used as the prefix of messages.
   HomeBearings(LAMMPS_NS::LAMMPS *lmp, const std::string &command) :
       Pointers(lmp), command_(command)
   {
   }
 
-  // Finds all bearings with atoms of the group. Stops with an error if an atom of the group is in
-  // no bearing, or if a bearing is only partly in the group.
+  // Finds all bearings with atoms of the group. Stops with an error if an atom of the group belongs
+  // to no bearing, or if a bearing is only partly in the group.
   void build(const BearingSources &, int groupbit);
 
   // Bearings whose home is on this rank, sorted by name.
@@ -81,7 +82,7 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
     raceway::BearingModel model;
     std::vector<raceway::BodyPose> bodies;
     std::vector<raceway::RingPose> rings;
-    std::vector<double> steps;    // by ring
+    std::vector<double> steps;    // indexed by ring
     std::vector<double> states;
   };
   struct NamedBearing {
@@ -101,7 +102,8 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
     double *kept;
     Place place;
   };    // contact of a ball that is owned by this rank and whose home is here
-  struct Letter {    // message to or from another rank with bodies, rings and contact states
+  struct Letter {    // message to or from another rank, which contains bodies, rings and contact
+                     // states
     int rank;
     std::vector<int> body_atom, ring_atom;                       // of the owner
     std::vector<double *> kept;                                  // of the owner

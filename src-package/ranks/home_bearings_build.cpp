@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// After a neighbour build, finds the bearings and their home ranks, and sends their pieces there.
+// After a neighbour build, finds the bearings and their home ranks, and sends the pieces of the
+// bearings there.
 #include "home_bearings.h"
 
 #include "exchange.h"
@@ -26,13 +27,13 @@ struct HomeBearings::Piece {
   enum Kind { body, ring, value, groove, pocket, seat, cell } kind;
   tag_t name;    // name of the bearing
   tag_t a, b;
-  // types of ball and ring; or `first` is the index of a cage, of the fix that moves a ring, or of
-  // a value that is given for a single ring
+  // types of the ball and the ring; in other pieces, `first` is the index of a cage, of the fix
+  // that moves a ring, or of a value that is given for a single ring
   int first, second;
   int number;    // index of a groove; 1 for a ring on a shaft
   int inside;    // 1 if the atom is in the group
-  // `radius` is also the reach of a pocket; K is also a value that is given for a single ring, or
-  // the position of a ring on its shaft
+  // `radius` may also be the reach of a pocket; K may also be a value that is given for a single
+  // ring, or the position of a ring on its shaft
   double radius, mass, K;
 };
 
@@ -44,10 +45,10 @@ void HomeBearings::build(const BearingSources &sources, int groupbit)
   assemble(bearing::exchange(cut(bearing_of, bearings, groupbit), world));
 }
 
-// Returns the bearing number of each owned atom, or -1 for an atom in no bearing with atoms of the
-// group. Every rank joins the bodies of the possible contacts of its own balls to pieces. The
-// pieces of several ranks are connected by rings and by balls in contact across a subdomain
-// boundary.
+// Returns the bearing number of each owned atom, or -1 for an atom that is not in any bearing with
+// atoms of the group. Every rank joins the bodies of the possible contacts of its own balls to
+// pieces. The pieces of several ranks are connected by rings and by balls in contact across a
+// subdomain boundary.
 std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBearing> &bearings)
 {
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
@@ -75,7 +76,8 @@ std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBear
   };
   for (int i = 0; i < nall; ++i)
     if (sources_.is_ring(atom->type[i])) tell(i);
-  for (const BearingSources::MovedRing &m : sources_.moved)    // shafts and supports join rings
+  for (const BearingSources::MovedRing &m : sources_.moved)    // shafts and supports also connect
+                                                               // rings
     for (tag_t other : {m.shaft, m.holder})
       if (other != 0) nodes.push_back({other, atom->tag[m.i], comm->me, 1, 0});
   for (const SphereContact &s : table.sphere)
@@ -119,8 +121,8 @@ std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBear
   return bearing_of;
 }
 
-// Returns the pieces of bearings that this rank owns, by home rank. The lists of atoms whose state
-// is sent to a home have the same order as the pieces.
+// Returns the pieces of bearings that this rank owns, indexed by home rank. The lists of atoms
+// whose state is sent to a home have the same order as the pieces.
 std::vector<std::vector<HomeBearings::Piece>>
 HomeBearings::cut(const std::vector<int> &bearing_of, const std::vector<NamedBearing> &bearings,
                   int groupbit)
@@ -173,7 +175,7 @@ HomeBearings::cut(const std::vector<int> &bearing_of, const std::vector<NamedBea
   }
   for (const SphereContact &s : sources_.table->sphere) {
     if (s.i >= atom->nlocal || bearing_of[s.i] < 0)
-      continue;    // known on two ranks; the owner of the first atom sends it
+      continue;    // the contact is known on two ranks; it is sent by the owner of the first atom
     Piece &p = add(s.i, Piece::pocket, s.tag_i, s.tag_j);
     p.radius = s.reach;
     p.mass = s.mass;
@@ -250,8 +252,8 @@ static int land_of(const BearingModel &m, const BearingModel::Cage &cage)
   return -1;
 }
 
-// Builds the models on the home rank, in the order of names and with their atoms in the order of
-// tags.
+// Builds the models on the home rank, in the order of the names of the bearings and with the atoms
+// in the order of tags.
 void HomeBearings::assemble(const std::vector<std::vector<Piece>> &from)
 {
   std::vector<Piece> pieces;

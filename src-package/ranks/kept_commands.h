@@ -10,8 +10,8 @@
 
 namespace bearing {
 
-// Layout of the package's data in restart files. The number must be increased with every change to
-// what any class writes. Files of builds before layout 2 have no number.
+// Layout of the package's data in restart files. The number must be increased whenever the data
+// written by any class change. Files written by builds before layout 2 contain no number.
 constexpr int RESTART_LAYOUT = 4;
 
 constexpr const char *CUT_OR_DAMAGED = "the restart file ends early or is damaged";
@@ -19,7 +19,7 @@ constexpr const char *CUT_OR_DAMAGED = "the restart file ends early or is damage
 using Commands = std::vector<std::vector<std::string>>;    // words of each command
 
 void write_commands(FILE *, const Commands &);
-// Reads the file on rank 0. All ranks return the same text, which is empty or says what is wrong
+// Reads the file on rank 0. All ranks return the same text, which is empty or states what is wrong
 // with the file.
 std::string read_commands(FILE *, MPI_Comm, Commands &);
 

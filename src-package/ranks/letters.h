@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Point-to-point messages. A letter consists of a rank and a text of numbers. Ranks without letters
-// do not wait.
+// Point-to-point messages. A letter consists of a rank and a text, which is a list of numbers.
+// Ranks without letters do not wait.
 #ifndef BEARING_LETTERS_H
 #define BEARING_LETTERS_H
 
@@ -10,8 +10,8 @@
 
 namespace bearing {
 
-// Sends the letters `from` and receives the letters `to`. The length of each text is known on both
-// sides.
+// Sends the letters `from` and receives the letters `to`. The length of each text must be known on
+// both sides.
 template <class Letter>
 void deliver(std::vector<Letter> &from, std::vector<Letter> &to, int message, MPI_Comm world)
 {

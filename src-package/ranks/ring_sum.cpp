@@ -38,7 +38,7 @@ int RingSum::claim(tag_t ring, int owner, Source source, tag_t partner)
   return claims() - 1;
 }
 
-// Sets up the messages between ranks and the ordered terms in the sum of every ring.
+// Sets up the messages between ranks and the ordered list of the terms in the sum over every ring.
 void RingSum::find_ways()
 {
   const int np = comm->nprocs, me = comm->me;

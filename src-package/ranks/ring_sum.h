@@ -3,11 +3,11 @@
 // number of ranks.
 //
 // Only the owner of a ball computes the ball's contacts, so their forces must be sent if the ring
-// is on another rank. After a neighbour build, every contact claims a term in the sum of its ring.
-// A rank sends its claims on the rings of another rank once, and then only six numbers per claim in
-// each step. The owner of the ring adds the terms by source, and then by ascending tag of the
-// partner. A ring whose claims are all on its own rank is summed directly in the order of the
-// calls, which is the same order.
+// is on another rank. After a neighbour build, every contact claims a term in the sum over its
+// ring. A rank sends its claims on the rings of another rank once, and then only six numbers per
+// claim in each step. The owner of the ring adds the terms in the order of their sources and, for
+// each source, in ascending order of the partners' tags. If all claims on a ring are on the rank
+// that owns it, the terms are summed directly in the order of the calls, which is the same order.
 #ifndef BEARING_RING_SUM_H
 #define BEARING_RING_SUM_H
 
@@ -25,9 +25,9 @@ class RingSum : protected LAMMPS_NS::Pointers {
   enum Source { rail, pocket, land, ball };    // in the order in which they are added
   explicit RingSum(LAMMPS_NS::LAMMPS *lmp) : Pointers(lmp) {}
 
-  void reset();    // must be called after a neighbour build on all ranks; clears all claims
+  void reset();    // clears all claims; must be called on all ranks after a neighbour build
   void own(int i_ring, tag_t ring);
-  // Claims a term in the sum of a ring owned by the rank `owner`, and returns its index, which is
+  // Claims a term in the sum over a ring owned by the rank `owner`, and returns its index, which is
   // valid until reset(). All claims must be made before the first flush().
   int claim(tag_t ring, int owner, Source source, tag_t partner);
 
@@ -42,17 +42,18 @@ class RingSum : protected LAMMPS_NS::Pointers {
       torque.to(p.said + 3);
     }
   }
-  void flush();    // adds the sums to atom->f and atom->torque of owned rings; collective
+  void flush();    // adds the sums to atom->f and atom->torque of owned rings; must be called on
+                   // all ranks
 
-  // Owned rings in the order of tags, with their local index and the force and torque at the last
+  // Owned rings in the order of tags, with their local indices and the force and torque at the last
   // flush().
   int rings() const { return static_cast<int>(rings_.size()); }
   int ring(int n) const { return rings_[n].i; }
   const raceway::Vec3 &force(int n) const { return rings_[n].summed[0]; }
   const raceway::Vec3 &torque(int n) const { return rings_[n].summed[1]; }
   // Sends other numbers along the same paths. `said` has `width` numbers per claim; heard(n,
-  // source, numbers) is called for every claim on the n-th owned ring, ring by ring in the order of
-  // the sums. Must be called on all ranks after a flush().
+  // source, numbers) is called for every claim on the n-th owned ring, ring by ring and in the
+  // order of the sums. Must be called on all ranks after a flush().
   void collect(int width, const std::vector<double> &said,
                const std::function<void(int n, Source, const double *)> &heard);
   int claims() const { return static_cast<int>(shares_.size()); }
@@ -80,7 +81,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
   };
   struct Letter {
     int rank;
-    std::vector<int> claims;    // claims of this rank that an outgoing letter contains
+    std::vector<int> claims;    // claims of this rank that are contained in an outgoing letter
     int terms;
     std::vector<double> text;
   };

@@ -57,7 +57,7 @@ std::vector<Body> bodies_of(LAMMPS *lmp, const PairCoefficients &coefficients)
 // The groove of a ring whose surface is nearest to a ball.
 struct Place {
   const RacewayPhysics *raceway = nullptr;
-  double gap = HUGE_VAL, cosine = 1.0;    // m; cosine of the contact angle
+  double gap = HUGE_VAL, cosine = 1.0;    // gap, m; cosine of the contact angle
 };
 
 Place place(const PairCoefficients &coefficients, const Body &ball, const Body &ring)
@@ -82,8 +82,8 @@ struct Row {
   const RacewayPhysics *raceway[2] = {};
   double balls = 0.0, ball_radius = 0.0, cosine = 1.0;
 
-  // Returns the duration of a ball pass in s, which is not finite if the balls do not move. A ring
-  // with an unknown spin is assumed to be at rest.
+  // Returns the duration of a ball pass, s. It is not finite if the balls do not move. A ring with
+  // an unknown spin is assumed to be at rest.
   double pass(double angle) const
   {
     const double pitch = written(

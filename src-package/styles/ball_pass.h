@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The ball pass of a scene, i.e. the time in which the cage turns by the spacing of two balls.
+// Computes the ball pass of a scene, i.e. the time in which the cage turns by one ball spacing.
 #ifndef BEARING_BALL_PASS_H
 #define BEARING_BALL_PASS_H
 
@@ -11,12 +11,14 @@
 namespace bearing {
 
 // Returns the longest ball pass (s) of all bearings whose rings rotate. The balls are assumed to
-// roll at the speeds that the fixes bearing/ring currently impose. `angle` is the contact angle in
-// degrees; if it is NAN, the angle follows from the current positions of the balls. Collective.
-// Stops with an error that names `command` if there is no bearing, no imposed speed or no rotation.
+// roll at the ring speeds that are currently imposed by the fixes bearing/ring. `angle` is the
+// contact angle in degrees; if it is NAN, the angle follows from the current positions of the
+// balls. Must be called on all ranks. Stops with an error that names `command` if there is no
+// bearing, no imposed speed or no rotation.
 double ball_pass_time(LAMMPS_NS::LAMMPS *, const std::string &command, double angle);
 
-// Returns the number of rows of balls that run between an inner and an outer ring. Collective.
+// Returns the number of rows of balls that run between an inner and an outer ring. Must be called
+// on all ranks.
 size_t ball_rows(LAMMPS_NS::LAMMPS *, const std::string &command);
 
 }    // namespace bearing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Power dissipated at the contacts of cage balls and cages, and between balls that touch each
-// other. Each contact is counted on exactly one rank.
+// Power dissipated at the contacts of cage balls and one-piece cages, and between balls that touch
+// each other. Each contact is counted on exactly one rank.
 #ifndef BEARING_CAGE_LOSSES_H
 #define BEARING_CAGE_LOSSES_H
 
@@ -10,9 +10,9 @@
 
 namespace bearing {
 
-// Calls `take` for each contact with the tags of both bodies (0 for a rail or for the land of a
-// cage ring), the local index of the first body, the dissipated power (W) and the force (N; 0 for a
-// rail or land).
+// Calls `take` for each contact. The arguments are the tags of both bodies (0 for a rail or for the
+// land of a one-piece cage), the local index of the first body, the dissipated power (W), and the
+// force (N; 0 for a rail or land).
 template <class Take>
 void each_cage_loss(LAMMPS_NS::LAMMPS *lmp, const LAMMPS_NS::PairBearingHertz &pair,
                     const Take &take)

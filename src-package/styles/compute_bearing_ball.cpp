@@ -89,7 +89,7 @@ void ComputeBearingBall::compute_peratom()
     for (int k = 0; k < n; ++k) {
       double &v = array_[c.i_ball][k];
       if (columns_[k].attribute == nullptr && v != 0.0 && c.side() == Side::inner)
-        continue;    // values of the ball itself are relative to the outer ring
+        continue;    // values that belong to the ball itself are relative to the outer ring
       if (columns_[k].own >= 0) {
         v = own_value(columns_[k].own, c);
       } else if ((c.live || columns_[k].attribute->needs_surroundings()) &&

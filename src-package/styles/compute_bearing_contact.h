@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// compute bearing/contact: local data with one row of requested columns per active raceway contact.
+// compute bearing/contact: local data with one row per active raceway contact, which contains the
+// requested columns.
 #ifdef COMPUTE_CLASS
 ComputeStyle(bearing/contact,ComputeBearingContact)
 #else

@@ -18,8 +18,8 @@ using bearing::RacewayContact;
 using bearing::RingSum;
 namespace of_ring = bearing::of_ring;
 
-// Values that a contact sends to its ring: its results, then the orbital direction divided by the
-// radius.
+// Values that a contact sends to its ring: its results, followed by the unit vector of the orbital
+// direction divided by the radius.
 static constexpr size_t ALONG = BallFigures::numbers(), N_SAID = ALONG + 3;
 
 // compute ID group bearing/ring all|value ...
@@ -95,7 +95,7 @@ void ComputeBearingRing::tell()
     for (size_t k = first; k < end; ++k) {
       const RacewayContact &c = table[k];
       BallFigures &own = each[k - first];
-      // results that combine both contacts of a ball are counted once per ball and ring
+      // results that combine both contacts of a ball are counted only once per ball and ring
       if (k == first || table[k - 1].ring != c.ring) own.take_pairs(ball);
       else own.take_pairs(BallFigures());
       // the owner subtracts the ring's velocity, because the velocity of a ghost is half a step old

@@ -33,8 +33,8 @@ class ComputeBearingRing : public Compute, public bearing::ColumnList {
       capacitor_;    // or null
   struct Output {
     raceway::Column is;
-    int motion;                       // index in of_ring::list, used if `figure` is null
-    const bearing::Figure *figure;    // otherwise this result, evaluated over the contacts
+    int motion;                       // index in of_ring::list, which is used if `figure` is null
+    const bearing::Figure *figure;    // if not null, this result is evaluated over the contacts
   };
   std::vector<Output> columns_;
   std::vector<double> said_;    // values sent by the contacts of this rank

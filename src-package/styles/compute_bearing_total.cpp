@@ -32,8 +32,8 @@ void ComputeBearingTotal::compute_vector()
   invoked_vector = update->ntimestep;
   pair_ = PairBearingHertz::find(
       lmp, "compute bearing/total");    // the pair style may have been replaced between runs
-  // summed in the order of tags, so that the sums are bitwise identical on any number of ranks; a
-  // contact between two balls, or between a ball and a cage ball, is sorted by both tags
+  // values are summed in the order of tags, so that the sums are bitwise identical on any number of
+  // ranks; contacts between two balls, or between a ball and a cage ball, are sorted by both tags
   struct Share {
     bearing::tag_t tag, other;
     BallFigures of;

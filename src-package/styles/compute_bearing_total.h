@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// compute bearing/total: global vector for thermo output, with the values of total_figures() in
-// order.
+// compute bearing/total: global vector for thermo output, which contains the values of
+// total_figures() in order.
 #ifdef COMPUTE_CLASS
 ComputeStyle(bearing/total,ComputeBearingTotal)
 #else

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Data that contact columns need in addition to the contact itself, from the pair style and the
-// fixes of a run.
+// Provides the data that contact columns need in addition to the contact itself. They come from the
+// pair style and the fixes of a run.
 #ifndef BEARING_CONTACT_CONTEXT_H
 #define BEARING_CONTACT_CONTEXT_H
 
@@ -13,14 +13,14 @@ class PairBearingHertz;
 
 namespace bearing {
 
-// Returns the data that the commands so far make available: the film of the pair style and the
-// capacitances of a fix.
+// Returns the data that are available from the commands read so far: the film of the pair style and
+// the capacitances of a fix.
 Offer offer_of(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &);
 
-// Returns a function that computes the capacitor of a contact with the fix bearing/capacitance
-// whose group contains the ball, or 0 if no group does. An open contact has the capacitance of its
-// surroundings if that fix computes it. Stops with an error that names `asked_by` and `wants` if
-// there is no such fix.
+// Returns a function that computes the capacitor of a contact according to the fix
+// bearing/capacitance whose group contains the ball; the result is 0 if no group does. For an open
+// contact, it is the capacitance of the surroundings if that fix computes it. Stops with an error
+// that names `asked_by` and `wants` if there is no such fix.
 std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)>
 capacitor_of(LAMMPS_NS::LAMMPS *, const std::string &asked_by, const std::string &wants);
 
@@ -29,13 +29,13 @@ capacitor_of(LAMMPS_NS::LAMMPS *, const std::string &asked_by, const std::string
 void check_surroundings(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &,
                         const std::string &asked_by, const std::string &wants);
 
-// Returns the context for these columns. Stops with an error that names `asked_by` if a fix that
-// the columns need is missing.
+// Returns the context for the given columns. Stops with an error that names `asked_by` if a fix
+// that the columns require is missing.
 ContactContext context_of(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &,
                           const ContactSelection &, const std::string &asked_by);
 
-// Returns the speed (rad/s) at which a ball orbits about the ring of a contact; the surfaces need
-// not touch.
+// Returns the speed (rad/s) at which a ball orbits about the ring of a contact; the surfaces do not
+// have to touch.
 double orbit_of(const LAMMPS_NS::Atom &, const LAMMPS_NS::PairBearingHertz &,
                 const RacewayContact &);
 

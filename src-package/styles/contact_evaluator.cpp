@@ -54,7 +54,8 @@ void ContactEvaluator::evaluate(ContactTable &of, const Setting &set)
     const RacewayPhysics &p = *of_all.raceway;
     four.groove = groove_of(of_all);
     four.dt = advances(of_all) ? update->dt : 0.0;
-    if (set.facts->decides) {    // the law has a reach, so contacts that touched before come first
+    if (set.facts->decides) {    // the law has a nonzero reach, so contacts that touched before
+                                 // come first
       near_.clear();
       for (const bool touched : {true, false})
         for (int n = first; n < next; ++n)
@@ -84,9 +85,9 @@ void ContactEvaluator::evaluate(ContactTable &of, const Setting &set)
   }
 }
 
-// Returns true if this step advances the state of a contact. The forces of a set-up belong to a
-// step that is already complete, and contacts in the groups of fixes that advance the state
-// themselves are excluded.
+// Returns true if this step advances the state of a contact. During a set-up no state is advanced,
+// because its forces belong to a step that is already complete. Contacts in the groups of fixes
+// that advance the state themselves are also excluded.
 bool ContactEvaluator::advances(const RacewayContact &c) const
 {
   return !update->setupflag && !(atom->mask[c.i_ball] & set_.implicit_bits);

@@ -23,7 +23,7 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
     const raceway::LawFacts *facts;    // properties of the contact law
     int axis;
     int implicit_bits;    // groups of the fixes that advance contact states themselves
-    bool gaps;            // evaluate also the motion of surfaces that do not touch
+    bool gaps;            // also evaluate the motion of surfaces that do not touch
     bool energies;
     bool profiled;    // true if at least one surface has a profile
   };
@@ -32,10 +32,11 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
   void set_order(const ContactTable &);    // called after every search for contacts
   void evaluate(ContactTable &, const Setting &);
 
-  // Results for row n of the table, which are valid for live contacts only.
+  // Return results for row n of the table. They are valid for live contacts only.
   const raceway::ContactForces &forces(size_t n) const { return found_[n]; }
-  double energy(size_t n) const { return energies_.empty() ? 0.0 : energies_[n]; }    // J, stored
-  // State of the ring at the groove, which may be offset from the ring's mid-plane.
+  double energy(size_t n) const { return energies_.empty() ? 0.0 : energies_[n]; }    // stored
+                                                                                      // energy, J
+  // Returns the state of the ring at the groove, which may be offset from the ring's mid-plane.
   raceway::RingState groove_of(const RacewayContact &) const;
 
  private:
@@ -51,7 +52,8 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
 
   Setting set_ = {};
   RacewayContact *rows_ = nullptr;       // rows of the table
-  std::vector<int> by_groove_, near_;    // rows of all grooves; rows near contact in one groove
+  std::vector<int> by_groove_, near_;    // rows of all grooves; rows of one groove that are near
+                                         // contact
   std::vector<raceway::ContactForces> found_;
   std::vector<double> energies_;
   std::vector<raceway::FlawedPlace> flaws_;    // empty if all surfaces are smooth

@@ -28,7 +28,7 @@ void CreateBearing::command(int narg, char **arg)
   create(args);
 }
 
-// Creates a named bearing from its data. After a restart its atoms already exist.
+// Creates a named bearing from its data. After a restart, its atoms already exist.
 void CreateBearing::command_named(Arguments &args)
 {
   const bearing::NamedBearing &b = bearing::bearing_of(lmp, args, args.word("name of a bearing"));
@@ -109,7 +109,7 @@ void CreateBearing::create(Arguments &args)
   if (plan.groups) make_groups(plan);
 }
 
-// The bearings of all commands share these groups.
+// The bearings created by all commands share these groups.
 void CreateBearing::make_groups(const Plan &p)
 {
   const auto add = [this](const char *name, int type) {
@@ -239,9 +239,9 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
 }
 
 // Moves the inner ring along the axis until the load-carrying grooves, one in each ring, are in
-// contact with the balls. In a ring with two grooves, the load-carrying one is the groove whose
-// centre lies forward on the inner ring and backward on the outer ring. With preload all grooves
-// are already in contact, and the ring does not move.
+// contact with the balls. If a ring has two grooves, the load-carrying one is the groove whose
+// centre lies forward on the inner ring and backward on the outer ring. If there is preload, all
+// grooves are already in contact, and the ring does not move.
 void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &outer,
                          double clearance, Plan &p)
 {
@@ -254,7 +254,8 @@ void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &out
   const double sine = std::sqrt(1.0 - cosine * cosine);
   const double way = gaps * sine - (in_offset + out_offset);
   if (way < 0.0) return;
-  const double room = 1.0 + 1e-9;    // without clearance the angles are equal up to rounding errors
+  const double room = 1.0 + 1e-9;    // if there is no clearance, the angles are equal up to
+                                     // rounding errors
   if (in_gap * sine * room < in_offset || out_gap * sine * room < out_offset)
     args.fail("'seat': a ball would lie in both grooves of one ring and one of the other; their "
               "contact angles are " +
@@ -272,8 +273,9 @@ static double mass(double R, double rho)
   return 4.0 / 3.0 * 3.14159265358979323846 * R * R * R * rho;
 }
 
-// Returns the rotation of a ball. For a law with friction against spin, this is the rotation that
-// dissipates the least power; otherwise the ball rotates about the bearing's axis.
+// Returns the rotation of a ball. If the law includes friction that opposes spin, this is the
+// rotation that dissipates the least power. Otherwise the ball rotates about an axis parallel to
+// the bearing's axis.
 BallRotation CreateBearing::rotation(const Plan &p, const PairBearingHertz &pair)
 {
   // distance of a contact from the ball's spin axis: ball radius times the cosine of the contact

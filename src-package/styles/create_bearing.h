@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// create_bearing: creates the balls, the cage balls and one atom per ring of a bearing, which
+// create_bearing: creates the balls, the cage balls and one atom per ring of a bearing. The bearing
 // starts rolling or at rest.
 #ifdef COMMAND_CLASS
 CommandStyle(create_bearing,CreateBearing)
@@ -35,13 +35,14 @@ class CreateBearing : public bearing::CommandBase {
     double phase = 0.0;                             // rad, azimuth of the first ball
     double inner_speed = 0.0, outer_speed = 0.0;    // rad/s
     int seat =
-        0;    // +1 or -1: the inner ring starts forward or backward in contact with all balls
+        0;    // +1 or -1: the inner ring starts moved forward or backward into contact with all
+              // balls
     double thrust = 0.0;                   // N, on the inner ring
     double middle = 0.0;                   // m, radius midway between the raceways
     double pitch = 0.0;                    // m, radius of the circle through the balls' centres
     double ball_z = 0.0, inner_z = 0.0;    // m, positions along the axis
     double cosine = 1.0;                   // cosine of the contact angle
-    bool groups = false;                   // whether to create the groups
+    bool groups = false;                   // true if the groups are to be created
     bool resumed = false;                  // true if the atoms come from a restart file
   };
 

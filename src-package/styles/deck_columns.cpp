@@ -8,8 +8,8 @@
 using namespace LAMMPS_NS;
 using bearing::Arguments;
 
-// Finds the columns of a compute, c_ID[k], or of a fix, as variables that `fix print` replaces by
-// numbers.
+// Finds the columns of a compute, as c_ID[k], or of a fix, as variables that `fix print` replaces
+// with numbers.
 static const bearing::ColumnList *find_list(LAMMPS *lmp, Arguments &args, const std::string &id,
                                             bool &compute)
 {
@@ -79,8 +79,8 @@ void BearingDump::command(int narg, char **arg)
                    .c_str());
     return;
   }
-  // A file that is continued already has its title. During the set-up of a run, LAMMPS writes the
-  // title `none` and a row; fix bearing/checkpoint removes both.
+  // A file that is continued already contains its title. During the set-up of a run, LAMMPS writes
+  // the title `none` and a row, both of which are removed by fix bearing/checkpoint.
   input->one(("fix " + id + " " + group + " print " + every + " " + quoted(of.values) +
               (append ? " append " : " file ") + file + " screen no title " +
               (append ? "none" : quoted(of.names)))

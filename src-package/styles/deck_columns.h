@@ -11,9 +11,9 @@ CommandStyle(bearing_dump,BearingDump)
 
 namespace LAMMPS_NS {
 
-// bearing_dump ID GROUP N FILE SOURCE [append yes|no] [columns NAME]: defines a dump of the host
-// with all columns of SOURCE if it is a compute, or a fix print with all columns if it is a fix.
-// NAME is a variable that receives the names of the columns.
+// bearing_dump ID GROUP N FILE SOURCE [append yes|no] [columns NAME]: defines an output of the host
+// that contains all columns of SOURCE. It is a dump if SOURCE is a compute, and a fix print if
+// SOURCE is a fix. NAME is a variable in which the names of the columns are stored.
 class BearingDump : public bearing::CommandBase {
  public:
   explicit BearingDump(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

@@ -39,7 +39,7 @@ std::string cage_of(LAMMPS *lmp)
   return "no";
 }
 
-// Returns values that the run chooses if the deck does not set them.
+// Returns the values that are chosen by the run if the deck does not set them.
 Words chosen(LAMMPS *lmp, double within)
 {
   Words of = {{"within", digits(within)}, {"cage", cage_of(lmp)}};
@@ -53,14 +53,14 @@ Words chosen(LAMMPS *lmp, double within)
   return of;
 }
 
-// Returns NAME=VALUE for every variable needed to repeat the run of the deck, or an empty string if
-// the deck does not define one of the variables that determine the motion.
+// Returns NAME=VALUE for every variable that is needed to repeat the run of the deck. Returns an
+// empty string if any of the variables that determine the motion is not defined in the deck.
 std::string variables_of(LAMMPS *lmp, double within)
 {
   static const char *const head[] = {"bearing", "lubricant", "models", "integrator", "load", "rpm"};
   for (const char *name : head)
     if (!host_variable(lmp, name)) return "";
-  // variables that concern the folder or the length of the run, or that are stated elsewhere in the
+  // these variables concern the folder or the length of the run, or are stated elsewhere in the
   // record
   static const std::vector<std::string> others = {
       "out",   "inputs", "overwrite",  "resume",     "keep",      "record",
@@ -103,7 +103,7 @@ std::string words_of(const NamedBearing &b, const PairBearing &pair)
   return words;
 }
 
-// Returns the atom type of the first ball of each bearing of a record. Collective.
+// Returns the atom type of the first ball of each bearing of a record. Must be called on all ranks.
 std::vector<int> ball_types(LAMMPS *lmp, const RecordLayout &layout)
 {
   std::vector<int> own(layout.bearings.size(), 0), all(own.size());
@@ -188,7 +188,8 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
       }))
     add("bearing", b.word("bearing"));
   if (list.size() > 1) {
-    std::string lines, numbers;    // a line per name, and its index for each bearing of the record
+    std::string lines, numbers;    // one line per name, and the index of the line for each bearing
+                                   // in the record
     for (const NamedBearing *one : list)
       lines += (lines.empty() ? "" : "\n") + words_of(*one, *named);
     for (const int type : ball_types(lmp, layout)) {
@@ -216,7 +217,7 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
     add("moment_x_N_m", loads.moment[0]);
     add("moment_y_N_m", loads.moment[1]);
     add("unbalance_kg_m", loads.unbalance);
-    // twelve digits, the accuracy of a speed that the deck has converted from rpm to rad/s
+    // twelve digits are the accuracy of a speed that the deck has converted from rpm to rad/s
     char rpm[32];
     snprintf(rpm, sizeof rpm, "%.12g", loads.speed * 30.0 / M_PI);
     if (!std::isnan(loads.speed) && !outer) add("rpm", strtod(rpm, nullptr));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Attributes of a record of named bearings: the data and loads given to the commands of the deck,
-// and the variables with which the deck can be run again.
+// Creates the attributes of a record of named bearings: the data and loads that were passed to the
+// commands of the deck, and the variables with which the deck can be run again.
 #ifndef BEARING_DECK_NOTES_H
 #define BEARING_DECK_NOTES_H
 
@@ -8,12 +8,13 @@
 
 namespace bearing {
 
-// Adds the attributes that `to` does not contain yet, or none if no bearing has a name. Collective.
+// Adds the attributes that `to` does not contain yet, or none if no bearing has a name. Must be
+// called on all ranks.
 void add_deck_notes(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &, const RecordLayout &,
                     double within, NetcdfHeader::Attributes &to);
 
-// Returns one line for each named bearing, with its data and the permittivity of its oil but
-// without paths.
+// Returns one line for each named bearing, which contains its data and the permittivity of its oil,
+// but no paths.
 std::vector<std::string> data_lines(LAMMPS_NS::LAMMPS *);
 
 }    // namespace bearing

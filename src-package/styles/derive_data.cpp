@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Derives variables from the data of a bearing or an oil.
+// Derives variables from the given data of a bearing or an oil.
 #include "../core/geometry/gothic_arch.h"
 #include "../core/geometry/usual_data.h"
 #include "../core/laws/oil_data.h"

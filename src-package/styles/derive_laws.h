@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Laws that derive missing data of bearings and oils from the data given.
+// Laws that derive missing data of bearings and oils from the given data.
 #ifndef BEARING_DERIVE_LAWS_H
 #define BEARING_DERIVE_LAWS_H
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Checks of output files on the disk, because the hosts do not check whether their writes succeed.
+// Checks that output files are on the disk, because the hosts do not check whether their writes
+// succeed.
 #ifndef RACEWAY_DISK_H
 #define RACEWAY_DISK_H
 
@@ -9,8 +10,8 @@ namespace bearing {
 
 double file_size(const std::string &file);    // size in bytes; -1 if the file does not exist
 
-// Returns the reason why the disk is full, or an empty string if another 64 kB can be written to
-// the folder of `file`.
+// Returns an empty string if another 64 kB can be written to the folder of `file`, and otherwise
+// the reason why this is not possible.
 std::string disk_is_full(const std::string &file);
 
 // Flushes `file` to the disk and returns true on success.

@@ -26,9 +26,10 @@ namespace {
 // Data of a bearing that its home rank sends to all ranks.
 struct Piece {
   enum Kind { kind, ball, cage, ring } what;
-  double bearing, tag;    // name of the bearing as a number; tag of the atom
+  double bearing, tag;    // number that identifies the bearing; tag of the atom
   int raceway;
-  double of[of_kind::N];    // data of a bearing; for a ring: origin, pocket play, guide and phase
+  double of[of_kind::N];    // data of the bearing; for a ring: its origin, pocket play, guide and
+                            // phase
 };
 
 bool before(const Piece &a, const Piece &b)
@@ -40,7 +41,8 @@ bool before(const Piece &a, const Piece &b)
 // whose group contains the ball.
 std::map<double, double> permittivities(LAMMPS *lmp)
 {
-  std::vector<double> mine, space;    // in `mine`, tags of balls and permittivities alternate
+  std::vector<double> mine, space;    // `mine` contains alternately the tag of a ball and a
+                                      // permittivity
   for (const FixBearingCapacitance *f : capacitances_of(lmp))
     for (int i = 0; i < lmp->atom->nlocal; ++i)
       if (f->covers(i)) {
@@ -53,7 +55,7 @@ std::map<double, double> permittivities(LAMMPS *lmp)
   return of;
 }
 
-// Inner and outer raceway of a bearing; null if missing.
+// The inner and the outer raceway of a bearing; null if missing.
 struct Raceways {
   const RacewayPhysics *of[2] = {};
 };
@@ -79,7 +81,8 @@ void describe(const BearingModel &m, const Raceways &both, double permittivity, 
     of[of_kind::OUTER_GROOVE] = outer->groove.groove_radius;
     if (outer->groove.offset != 0.0) of[of_kind::OUTER_ARCH] = std::fabs(outer->groove.offset);
   }
-  // rounded to a picometre, so that rounding errors of the radii do not appear as clearance
+  // the clearance is rounded to a picometre, so that rounding errors of the radii do not appear as
+  // clearance
   if (inner && outer)
     of[of_kind::CLEARANCE] =
         std::round(2e12 * (outer->groove.middle_radius() - inner->groove.middle_radius() -

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Finds the layout of the record of a group's bearings, which is the same on all ranks.
+// Determines the layout of the record for the bearings in a group. It is the same on all ranks.
 #ifndef BEARING_FIND_RECORD_LAYOUT_H
 #define BEARING_FIND_RECORD_LAYOUT_H
 
@@ -13,7 +13,8 @@ class PairBearingHertz;
 namespace bearing {
 
 // Must be called after the forces have been computed. Stops with an error that names `command` if
-// an atom of the group is outside all bearings, or if a ball runs on two raceways of the same side.
+// an atom of the group does not belong to any bearing, or if a ball runs on two raceways of the
+// same side.
 RecordLayout find_record_layout(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz &, int groupbit,
                                 const std::string &command);
 

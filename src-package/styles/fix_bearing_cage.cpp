@@ -71,8 +71,8 @@ const bearing::NamedBearing *FixBearingCage::named() const
   return nullptr;
 }
 
-// Returns true for an atom of the group and, with named bearings, only for a cage ball of the
-// bearing to which that ring belongs.
+// Returns true if the atom is in the group and, in the case of named bearings, is a cage ball of
+// the bearing to which that ring belongs.
 bool FixBearingCage::holds(int i) const
 {
   return (atom->mask[i] & groupbit) && (cage_type_ == 0 || atom->type[i] == cage_type_);
@@ -92,7 +92,7 @@ void FixBearingCage::init()
   pair_ = PairBearingHertz::find(lmp, "fix bearing/cage");
   const bearing::NamedBearing *const b = named();
   cage_type_ = b ? b->cage : 0;
-  // the whole cage has one ball radius and one pitch circle, as in create_bearing
+  // all balls of a cage have the same radius and pitch circle, as in create_bearing
   double radius = 0.0;
   for (int i = 0; i < atom->nlocal; ++i)
     if (holds(i)) radius = std::max(radius, atom->radius[i]);
@@ -111,16 +111,16 @@ void FixBearingCage::init()
     cage_.stiffness.push_back(rail_stiffness(r, radius, pitch_, E));
     play = std::max(play, std::hypot(r.circle - pitch_, r.offset) - r.tube - radius);
   }
-  pocket_ = 0.25 * radius + 2.0 * play;    // balls held by rails stay within 0.002 radii
+  pocket_ = 0.25 * radius + 2.0 * play;    // balls that are held by rails stay within 0.002 radii
 }
 
 void FixBearingCage::setup_pre_neighbor() { find_balls(); }
 void FixBearingCage::pre_neighbor() { find_balls(); }
 
 // A cage ball is carried by the ring whose pitch circle is nearest and whose centre is within two
-// pitch radii; the nearest centre may be that of a housing. The local indices found are valid until
-// the next neighbour build. Only rings in a slab about the ball are searched; the slab is normal to
-// the direction in which the rings are spread furthest.
+// pitch radii; the nearest centre may be that of a housing. The local indices that are found remain
+// valid until the next neighbour build. Only rings in a slab about the ball are searched; the slab
+// is normal to the direction in which the rings are spread furthest.
 void FixBearingCage::find_balls()
 {
   cage_.balls.clear();
@@ -171,7 +171,7 @@ void FixBearingCage::find_balls()
 void FixBearingCage::setup_pre_force(int vflag) { pre_force(vflag); }
 
 // Evaluates all cage balls, one rail after another, in lanes of four. Four balls that touch no rail
-// cost only one comparison.
+// require only one comparison.
 void FixBearingCage::pre_force(int)
 {
   pair_->state()->forward_axes();

@@ -43,15 +43,15 @@ class FixBearingCage : public Fix {
 
   PairBearingHertz *pair_;
   int ring_type_ = 0;
-  int cage_type_ = 0;    // type of the balls on the rails; 0 if these are all balls of the group
+  int cage_type_ = 0;    // type of the balls on the rails; 0 if all balls of the group are on them
   bearing::CageRails cage_;
   double tube_ = 1e-3, gap_ = 0.0;
   double young_[2] = {3.3e9, 3.3e9}, poisson_[2] = {0.41, 0.41};    // PA66 on PA66
   bool seats_ = true;    // use the default pair of rails, placed to fit the cage balls
   double pitch_ = 0.0;
   double pocket_ = 0.0;    // m, largest distance of a cage ball from the pitch circle
-  // Position and velocity (radial, axial) of four cage balls relative to the ring, with their mass,
-  // radius, rail force and dissipated power.
+  // Positions and velocities (radial, axial) of four cage balls relative to the ring, and their
+  // masses, radii, rail forces and dissipated powers.
   struct alignas(32) Four {
     raceway::Lane r, z, vr, ve, mass, radius, fr, fe, loss;
     void spare(int first);
@@ -59,7 +59,7 @@ class FixBearingCage : public Fix {
   void find_forces();
   void left_pocket(const bearing::CageRails::CageBall &, double off) const;
   std::vector<Four> fours_;
-  double force_sum_ = 0.0, force_max_ = 0.0;    // N, values on this rank in the last step
+  double force_sum_ = 0.0, force_max_ = 0.0;    // N, sum and maximum on this rank in the last step
 };
 
 }    // namespace LAMMPS_NS

@@ -20,8 +20,8 @@ using bearing::RingSum;
 using bearing::tag_t;
 using bearing::text;
 
-// Overlap of a ball and its pocket that stops the run with an error, as a fraction of the ball
-// radius.
+// Overlap between a ball and its pocket above which the run stops with an error, as a fraction of
+// the ball radius.
 static constexpr double out_of_pocket = 0.1;
 
 // fix ID group bearing/cage/ring BALL_TYPE pockets Z play J mass M inertia I_a I_t [across J]
@@ -56,7 +56,7 @@ int FixBearingCageRing::setmask() { return FixBearingRing::setmask() | PRE_NEIGH
 void FixBearingCageRing::init()
 {
   FixBearingRing::init();
-  state_->follow_axes();    // the pockets turn with the cage
+  state_->follow_axes();    // the pockets rotate with the cage
   const std::string me = bearing::name_of(*this);
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i) && !pair_->coefficients().is_cage(atom->type[i]))
@@ -76,8 +76,8 @@ void FixBearingCageRing::init()
   turn_to_balls();
 }
 
-// Turns the cages of a named bearing so that a pocket starts at the first ball. The state in a
-// restart file contains the angles by which the cages have turned since the start.
+// Rotates the cages of a named bearing so that a pocket is initially at the first ball. The state
+// in a restart file contains the angles by which the cages have rotated since the start.
 void FixBearingCageRing::turn_to_balls()
 {
   const bearing::NamedBearing *const b = bearing::find_bearing(lmp, bearing_);
@@ -312,7 +312,7 @@ double FixBearingCageRing::compute_vector(int k)
     of.push_back({rows[r].ball, rows[r].cage, which == LOSS ? rows[r].loss : rows[r].force});
   if (which == ECCENTRICITY) of = {{0, 0, eccentricity_}};
   of = bearing::gather_all(of, world);
-  // sorted, so that the sum is bitwise identical on any number of ranks
+  // sorted so that the sum is bitwise identical on any number of ranks
   std::sort(of.begin(), of.end(), [](const One &a, const One &b) {
     return a.ball != b.ball ? a.ball < b.ball : a.cage < b.cage;
   });

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/cage/ring: a rigid one-piece cage for each bearing, represented by one atom
 // (core/geometry/cage_ring.h). The fix is a fix bearing/ring whose rings are the cages, which move
-// freely in space or in a plane. It adds the forces of pockets, guiding land and churning.
+// freely in space or in a plane. It adds the forces that act in the pockets, at the guiding land
+// and due to churning.
 #ifdef FIX_CLASS
 FixStyle(bearing/cage/ring,FixBearingCageRing)
 #else
@@ -26,7 +27,7 @@ class FixBearingCageRing : public FixBearingRing {
   double compute_vector(int) override;
 
   const bearing::CagePockets &pockets() const { return all_; }
-  const bearing::CageSettings &settings() const { return cage_; }    // valid also before a run
+  const bearing::CageSettings &settings() const { return cage_; }    // also valid before a run
 
  private:
   raceway::CageMotion motion(int i) const;

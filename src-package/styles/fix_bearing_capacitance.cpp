@@ -135,7 +135,7 @@ FixBearingCapacitance::~FixBearingCapacitance()
   memory->destroy(per_ball_);
 }
 
-// Takes settings from the pair style if it has a named bearing with its oil.
+// Takes settings from the pair style if it defines a named bearing and its oil.
 void FixBearingCapacitance::take_usual_data()
 {
   const std::vector<int> there = ball_types();
@@ -166,8 +166,8 @@ void FixBearingCapacitance::take_usual_data()
 
 int FixBearingCapacitance::setmask() { return idle_ ? 0 : END_OF_STEP; }
 
-// Samples as often as the run does. Stops with an error if the run samples less often than `within`
-// requires.
+// Sets the sampling interval to that of the run. Stops with an error if the run samples less often
+// than `within` requires.
 void FixBearingCapacitance::begin(const bearing::Sampling &sampling)
 {
   if (within_ > 1 && sampling.every > 1)
@@ -197,7 +197,7 @@ std::vector<int> FixBearingCapacitance::ball_types() const
   return there;
 }
 
-// Checks the shoulders of the raceways on which balls of the group may run.
+// Checks the shoulders of all raceways on which balls of the group may run.
 void FixBearingCapacitance::check_shoulders()
 {
   const std::vector<int> there = ball_types();
@@ -233,8 +233,8 @@ void FixBearingCapacitance::end_of_step()
   if (!waits()) sample(true);
 }
 
-// Finds the integrators that provide the instants, and those of their balls that belong to the
-// group.
+// Finds the integrators that provide the instants, and the balls of these integrators that belong
+// to the group.
 void FixBearingCapacitance::find_integrators()
 {
   integrators_ = bearing::fixes_of<bearing::InstantSource>(lmp);
@@ -300,7 +300,7 @@ void FixBearingCapacitance::add_instants()
 }
 
 // Samples the balls owned by this rank. Sums over all ranks are computed only on request, because a
-// table by ring does not need them.
+// table of values per ring does not need them.
 void FixBearingCapacitance::sample(bool between)
 {
   mine_.clear();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/capacitance: electrical capacitance of every raceway contact, of every ball (its
-// contacts in series) and of the bearing (the sum over its balls). The capacitance is sampled every
-// N steps, or at several instants within every step of fix bearing/implicit; nothing is computed
-// between samples.
+// fix bearing/capacitance: electrical capacitance of every raceway contact, of every ball (whose
+// contacts are in series) and of the bearing (the sum over its balls). The capacitance is sampled
+// every N steps, or at several instants within every step of fix bearing/implicit; nothing is
+// computed between samples.
 #ifdef FIX_CLASS
 FixStyle(bearing/capacitance,FixBearingCapacitance)
 #else
@@ -42,19 +42,19 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
 
   // Tags of the balls in the fix's group, on all ranks.
   std::vector<bearing::tag_t> find_members() const;
-  // Returns the request for `number` instants per step.
+  // Returns a request for `number` instants per step.
   bearing::Instants instants(int number) const { return {number, model_, ask_.any()}; }
   bool covers(int i) const { return atom->mask[i] & groupbit; }
   const raceway::CapacitorModel &model() const { return model_; }
   std::string said() const { return said_; }    // words of the command after N
-  bool idle() const { return idle_; }           // true if the deck has chosen dry contacts
+  bool idle() const { return idle_; }           // true if the contacts in the deck are dry
   // Returns the capacitor of a contact in the table of the pair style. For an open contact this is
   // the capacitor of its surroundings, or 0.
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &);
 
  private:
   void begin(const bearing::Sampling &) override;
-  struct Sum {    // F, sums over all balls of the group at one instant of a step
+  struct Sum {    // sums over all balls of the group at one instant of a step, F
     double all, largest;
   };
   struct Total {
@@ -63,7 +63,7 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
     double hertz_area;    // m^2
     raceway::FilmFigures figures;
   };
-  struct Spread {    // F, range over the instants of a step
+  struct Spread {    // range of a sum over the instants of a step, F
     double mean, least, most;
     void add(double value, bool first);
   };
@@ -73,7 +73,7 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
     raceway::Side side;
     int groove;
     bool live;
-    double load;    // N
+    double load;    // load, N
     raceway::FilmCapacitorT<double> of;
     double area, roughness;    // m^2 and m, computed only if the outputs need them
   };
@@ -101,18 +101,21 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   double background_ = 0.0;
   raceway::FilmQuestions ask_;
   bearing::CapacitorTable table_;    // capacitors including their surroundings
-  int planned_ = -1;                 // counters of the contact table's builds and fillings
+  int planned_ = -1;                 // counts of how often the contact table has been built and
+                                     // filled
   bigint filled_ = -1;
-  double **per_ball_ = nullptr;    // inner, outer and series; the same with surroundings
+  double **per_ball_ = nullptr;    // capacitances of the inner contact, the outer contact and both
+                                   // in series; the same including surroundings
   int within_ = 1;                 // number of instants per step; the last is at its end
   std::vector<bearing::InstantSource *> integrators_;    // sources of the instants within steps
   bearing::TagSet members_;    // balls of the group, filled only if there are integrators_
   std::vector<Row> mine_;      // balls of this rank in this step; reused buffer
   bearing::TextFile totals_, contacts_;
   bool grooves_ = false;                       // list the grooves separately in the second file
-  bool between_ = false, summed_ = true;       // content of mine_; the sums below are up to date
+  bool between_ = false, summed_ = true;       // mine_ contains instants within the step; the sums
+                                               // below are up to date
   Total total_ = {};                           // values at the end of the step
-  std::vector<raceway::SampledBall> balls_;    // balls of one instant; reused buffer
+  std::vector<raceway::SampledBall> balls_;    // balls at one instant; reused buffer
   bigint written_ = -1;                        // step of the last row in the files
   Spread plates_ = {}, whole_ = {};            // ranges of the sum over the instants
 };

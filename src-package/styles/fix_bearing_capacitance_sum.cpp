@@ -27,8 +27,8 @@ double figure(const FilmFigures &f, double hertz_area, int k)
 }
 }    // namespace
 
-// Sums instant by instant in the order of ball tags, so that the sums are bitwise identical on any
-// number of ranks.
+// Computes the sums for each instant in the order of ball tags, so that they are bitwise identical
+// on any number of ranks.
 void FixBearingCapacitance::sum_up()
 {
   if (summed_) return;
@@ -68,8 +68,8 @@ void FixBearingCapacitance::Spread::add(double value, bool first)
   most = std::max(most, value);
 }
 
-// The contacts of a ball are adjacent rows. Capacitances between a ball and the same ring add up,
-// and a ball in contact with only one ring contributes nothing.
+// The contacts of a ball are adjacent rows. Capacitances between a ball and the same ring are
+// added, and a ball in contact with only one ring contributes nothing.
 FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const Row *end)
 {
   Total t = {};

@@ -78,7 +78,8 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
       if (f != this && dynamic_cast<const FixBearingCheckpoint *>(f))
         args.fail(std::string("fix ") + f->id +
                   " already has this style: the host writes only one series of restart files");
-  if (means_.empty()) means_.emplace_back();    // an empty mean, because the counters come second
+  if (means_.empty()) means_.emplace_back();    // an empty mean is added because the counters come
+                                                // second
   sums_.assign(means_.size() + (ring_id_.empty() ? 0 : 6), 0.0);
   before_.assign(counters_.size(), 0.0);
   length_.assign(files_.size(), 0.0);
@@ -101,7 +102,7 @@ void FixBearingCheckpoint::write_every(int steps)
   output->create_restart(3, list);
 }
 
-// Restart files are also written while the bearing settles, which may take longer than the
+// Restart files are also written while the bearing settles, because this may take longer than the
 // measurement.
 void FixBearingCheckpoint::settle(const bearing::Sampling &sampling)
 {
@@ -137,13 +138,14 @@ void FixBearingCheckpoint::init()
             " of this style");
   check_deck();
   if (!resumed_ && comm->me == 0 && !begun_)
-    unlink(file_.c_str());    // the restart file of an earlier run that this run replaces
+    unlink(file_.c_str());    // this is the restart file of an earlier run, which is replaced by
+                              // this run
   begun_ = true;
 }
 
 // Returns the commands that determine a run: the bearings (first line), the pair style, the data of
-// named bearings, the fixes of the package except those that only write or monitor, and the
-// formulas of variables in these commands.
+// named bearings, the fixes of the package except for those that only write output or monitor the
+// run, and the formulas of the variables used in these commands.
 std::vector<std::string> FixBearingCheckpoint::deck() const
 {
   std::vector<std::string> lines = {bearing::noted_words(lmp, "create_bearing")};
@@ -165,7 +167,7 @@ std::vector<std::string> FixBearingCheckpoint::deck() const
 }
 
 // Stops with an error if the data in the deck of a continued run differ from those in the restart
-// file. The deck need not repeat create_bearing.
+// file. The deck does not have to repeat create_bearing.
 void FixBearingCheckpoint::check_deck()
 {
   if (deck_.empty()) return;
@@ -227,12 +229,12 @@ void FixBearingCheckpoint::take_sample()
 
 void FixBearingCheckpoint::post_run()
 {
-  // a signal received after the last sample may have reached only some of the ranks, so the ranks
-  // agree on one value
+  // a signal received after the last sample may have reached only some of the ranks, so all ranks
+  // must agree on one value
   int signal = StopSignal::caught();
   if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);
   StopSignal::set(signal);
-  if (resumed_ && !cut_) cut_files();    // happens in a run of zero steps
+  if (resumed_ && !cut_) cut_files();    // this happens in a run of zero steps
   if (signal) stop();
   if (last_ && !waits()) output->write_restart(update->ntimestep);
   if (written_) publish();
@@ -259,7 +261,7 @@ void FixBearingCheckpoint::stop()
     if (logfile) fputs(say.c_str(), logfile);
   }
   MPI_Finalize();
-  exit(128 + StopSignal::caught());    // the exit code with which a shell reports a signal
+  exit(128 + StopSignal::caught());    // the exit code that a shell uses to report a signal
 }
 
 void FixBearingCheckpoint::publish()
@@ -267,7 +269,8 @@ void FixBearingCheckpoint::publish()
   written_ = false;
   if (comm->me != 0) return;
   for (const std::string &f : files_) bearing::flush_to_disk(f);
-  // the host does not check its writes; they have succeeded if the disk accepts more data
+  // the host does not check its writes; they are assumed to have succeeded if the disk accepts more
+  // data
   std::string why = bearing::disk_is_full(file_);
   if (why.empty() && !bearing::write_sum(part_)) why = "its checksum cannot be added";
   if (why.empty() && !bearing::flush_to_disk(part_)) why = strerror(errno);
@@ -279,8 +282,8 @@ void FixBearingCheckpoint::publish()
           ". The previous one, if any, is intact: make room and continue from it");
 }
 
-// Checks that no output file is shorter than when the restart file was written; files may have
-// grown since.
+// Checks that no output file is shorter than it was when the restart file was written. Files may
+// have grown since then.
 void FixBearingCheckpoint::check_files()
 {
   if (comm->me != 0) return;
@@ -306,8 +309,8 @@ void FixBearingCheckpoint::cut_files()
   }
 }
 
-// Detects a full disk by finding a file that has stopped growing, because the host does not check
-// its writes.
+// Detects a full disk by looking for a file that has stopped growing, because the host does not
+// check its writes.
 void FixBearingCheckpoint::watch_files()
 {
   for (size_t k = 0; k < files_.size(); ++k) {
@@ -334,7 +337,7 @@ double FixBearingCheckpoint::compute_scalar()
   return std::hypot(of[3], of[4], of[5]) / std::hypot(of[0], of[1], of[2]);
 }
 
-// Returns the means over the samples, followed by the counters. Both cover all parts of an
+// Returns the means over the samples, followed by the counters. Both include all parts of an
 // interrupted run.
 double FixBearingCheckpoint::compute_vector(int n)
 {

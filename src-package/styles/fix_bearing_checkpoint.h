@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/checkpoint: allows a run to be stopped or killed and continued, with results and
-// files that are bitwise identical to those of an uninterrupted run.
+// fix bearing/checkpoint: allows a run to be continued after it has been stopped or killed. Its
+// results and files are bitwise identical to those of an uninterrupted run.
 //
-// The host writes the restart file, during or after a run. This fix adds what the host does not
-// store: the lengths of the output files at that step, and running sums. A restart file is renamed
-// to its final name only when it is complete.
+// The host writes the restart file, during or after a run. This fix adds data that the host does
+// not store, namely the lengths of the output files at that step and running sums. A restart file
+// is renamed to its final name only when it is complete.
 #ifdef FIX_CLASS
 FixStyle(bearing/checkpoint,FixBearingCheckpoint)
 #else
@@ -51,7 +51,8 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
 
   bearing::StopSignal stop_signal_;
   std::string command_, file_, part_, settings_;
-  std::string deck_;    // deck() of the run that wrote the restart file, until it is compared
+  std::string deck_;    // deck() of the run that wrote the restart file, stored until it has been
+                        // compared
   int every_restart_ = 0;
   double keep_ = 0.0;    // number of samples between restart files, in run_bearing
   bool resume_ = false, resumed_ = false;
@@ -64,7 +65,8 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
   double samples_ = 0.0;
   std::string ring_id_;    // ID of a fix bearing/ring whose force balance is averaged, or empty
   FixBearingRing *ring_ = nullptr;
-  std::vector<double> sums_;      // sums for the means, then load and residual (N) of the ring
+  std::vector<double> sums_;      // sums for the means, followed by the load and the residual force
+                                  // (N) of the ring
   std::vector<double> before_;    // counters of the previous runs
   // on rank 0: true if the host has written part_, which has not been published yet
   bool written_ = false;

@@ -22,7 +22,7 @@ using bearing::CircuitSettings;
 using bearing::tag_t;
 
 namespace {
-constexpr int per_cycle = 8;    // minimum number of points per period of the voltage
+constexpr int per_cycle = 8;    // minimum number of circuit points per period of the voltage
 constexpr double pi = 3.14159265358979323846;
 }    // namespace
 
@@ -64,7 +64,7 @@ void FixBearingCircuit::init()
 void FixBearingCircuit::setup(int)
 {
   if (settings_.within > 1) find_integrators();
-  if (restored_) {    // values omitted from the restart file are recomputed from those in it
+  if (restored_) {    // values that are not in the restart file are recomputed from those that are
     last_time_ = time_of(last_step_);
     static_cast<CircuitPoint &>(state_) = point(balls_, last_time_);
     restored_ = false;
@@ -131,7 +131,8 @@ std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::find_balls()
   return balls_of(tags, std::move(rows));
 }
 
-// Returns the balls of the last sample at an instant within the last step; `instant` counts from 1.
+// Returns the balls of the last sample as they were at an instant within the last step. `instant`
+// is counted from 1.
 std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::balls_at(int instant)
 {
   std::vector<tag_t> tags;
@@ -188,7 +189,8 @@ FixBearingCircuit::balls_of(const std::vector<tag_t> &tags, std::vector<Row> min
               std::to_string(row.ring) + "; give each bearing a group and a fix");
     ring[row.side] = row.ring;
     const size_t k = std::lower_bound(tags.begin(), tags.end(), row.ball) - tags.begin();
-    balls[k].azimuth = row.azimuth;    // measured about the outer ring, which comes last
+    balls[k].azimuth = row.azimuth;    // measured about the axis of the outer ring, which comes
+                                       // last
     balls[k].film[row.side].add(row.film);
   }
   return balls;
@@ -296,8 +298,8 @@ BearingFilms FixBearingCircuit::films(const std::vector<BallFilms> &balls) const
   return all;
 }
 
-// Interpolates the films between two samples at the fraction `share`. A film that is missing in one
-// of the samples has no thickness in the result.
+// Interpolates the films between two samples at the fraction `share`. A film that is missing in
+// either sample has no thickness in the result.
 std::vector<FixBearingCircuit::BallFilms>
 FixBearingCircuit::between(const std::vector<BallFilms> &from, const std::vector<BallFilms> &to,
                            double share)
@@ -372,8 +374,8 @@ double FixBearingCircuit::compute_vector(int k)
   return 0.0;
 }
 
-// Stores the last sample and the state of the circuit at that sample, from which the films and the
-// outer circuit follow.
+// Stores the last sample and the state of the circuit at that sample. The films and the outer
+// circuit follow from these.
 void FixBearingCircuit::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/circuit: computes the bearing voltage, discharges and energy of a bearing in an outer
-// circuit, which is sampled every N steps or at several instants within every step. The films are
-// provided by a fix bearing/capacitance. Every rank solves the whole circuit, so the results do not
-// depend on the number of ranks.
+// fix bearing/circuit: computes the voltage, discharges and energy balance of a bearing in an outer
+// circuit. The circuit is sampled every N steps or at several instants within every step. The films
+// are provided by a fix bearing/capacitance. Every rank solves the whole circuit, so the results do
+// not depend on the number of ranks.
 #ifdef FIX_CLASS
 FixStyle(bearing/circuit,FixBearingCircuit)
 #else
@@ -70,8 +70,8 @@ class FixBearingCircuit : public Fix {
   Film film_of(const raceway::RacewayPhysics &, bool live, const raceway::ContactState &,
                const raceway::FilmCapacitorT<double> &) const;
   bool needs_states() const { return settings_.metal > 0.0 || settings_.arc > 0.0; }
-  // Returns the time (s) since the first sample, at the instant that lies `back` steps before the
-  // end of `step`.
+  // Returns the time (s) from the first sample to the instant that lies `back` steps before the end
+  // of `step`.
   double time_of(bigint step, double back = 0.0) const
   {
     return (static_cast<double>(step - first_step_) - back) * dt_;

@@ -17,7 +17,8 @@ using bearing::Arguments;
 using bearing::text;
 using raceway::Vec3;
 
-// limits of the number of steps per collision below which the run stops or a warning is printed
+// If a collision takes fewer steps than the first limit, the run stops; if it takes fewer than the
+// second, a warning is printed.
 static constexpr double fewest_steps = 5.0, few_steps = 20.0;
 
 // fix ID group bearing/grains [drum SHAFT|none R Z1 Z2] [blades SHAFT|none N R1 R2 Z1 Z2]
@@ -142,7 +143,7 @@ std::vector<bearing::ColumnList::Item> FixBearingGrains::columns() const
   return list;
 }
 
-// Returns the sums over all grains, added in the order of tags.
+// Returns the sums over all grains, which are evaluated in the order of tags.
 FixBearingGrains::Sums FixBearingGrains::sums() const
 {
   struct One {
@@ -258,7 +259,8 @@ int FixBearingGrains::size_restart(int i)
 
 int FixBearingGrains::maxsize_restart() { return 3 + numbers_kept * most_contacts; }
 
-// Writes the last positions and loads of the shafts, in the order in which the command names them.
+// Writes the last positions and loads of the shafts in the order in which they are named in the
+// command.
 void FixBearingGrains::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;

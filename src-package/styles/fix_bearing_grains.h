@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/grains: contacts of grains with each other and with walls, which may turn with a fix
-// bearing/shaft and load it. Sums are evaluated in the order of tags, so the results do not depend
-// on the number of ranks.
+// fix bearing/grains: computes contacts of grains with each other and with walls. A wall may rotate
+// with the shaft of a fix bearing/shaft and exert loads on it. Sums are evaluated in the order of
+// tags, so the results do not depend on the number of ranks.
 #ifdef FIX_CLASS
 FixStyle(bearing/grains,FixBearingGrains)
 #else
@@ -59,14 +59,16 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   };
   struct Grain {
     std::vector<Contact> contacts;
-    double lost = 0.0;    // J, dissipated so far; each contact with a grain counts half
+    double lost = 0.0;    // energy dissipated so far, J; each contact with another grain counts
+                          // half
   };
   // A shaft with walls, which is known on all ranks. The bearing axis is the third component.
   struct Shaft {
     std::string id;
     FixBearingShaft *fix = nullptr;
     raceway::RingAtom now, before;
-    raceway::Vec3 force, moment;    // N and N m, exerted by grains at the shaft's centre
+    raceway::Vec3 force, moment;    // force (N) and moment (N m) exerted by grains, referred to the
+                                    // shaft's centre
   };
   struct Velocity {
     raceway::Vec3 v, w;
@@ -75,8 +77,9 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
     raceway::TurningWall shape;
     int shaft = -1;    // index in shafts_; -1 for a wall at rest
     int first = 0;     // index of its first part
-    // State in the current step, with the bearing axis as the third component. The axes of the wall
-    // are its own axis pose.e, and e1 and e2, which do not rotate about pose.e.
+    // State in the current step, with the bearing axis as the third component. The coordinate axes
+    // of the wall are its rotation axis pose.e and the axes e1 and e2, which do not rotate about
+    // pose.e.
     raceway::RingAtom pose;
     Velocity moved;
     raceway::Vec3 e1, e2;
@@ -105,8 +108,8 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
                     raceway::Vec3 &force, raceway::Vec3 &torque) const;
   void touch_walls(int i, double dt, std::vector<Contact> &, double &lost, raceway::Vec3 &force,
                    raceway::Vec3 &torque);
-  // Returns the contact of grain i with that grain or part in the previous step, or null if there
-  // was none.
+  // Returns the contact that grain i had with the given grain or part in the previous step, or null
+  // if there was none.
   const raceway::GrainContact *kept(int i, bearing::tag_t, int part) const;
   bool touched_a_wall(int i) const;
   void load_shafts();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The step of fix bearing/grains. Each rank computes all contacts of its own grains. A contact that
-// is computed on two ranks is bitwise identical on both, because the grain with the lower tag comes
-// first.
+// Performs the step of fix bearing/grains. Each rank computes all contacts of the grains that it
+// owns. A contact that is computed on two ranks is bitwise identical on both, because the grain
+// with the lower tag comes first.
 #include "../core/settings/arguments.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_grains.h"
@@ -48,9 +48,9 @@ void FixBearingGrains::find_shafts()
   }
 }
 
-// Returns the mean velocity (m/s) and angular velocity (rad/s) of a shaft over the step. They
-// follow from the change of its position, so that the work of its walls equals the work of the
-// shaft with either integrator. The bearing axis is the third component.
+// Returns the mean velocity (m/s) and angular velocity (rad/s) of a shaft over the step. They are
+// computed from the change in its position, so that the work done by its walls equals the work done
+// by the shaft with either integrator. The bearing axis is the third component.
 FixBearingGrains::Velocity FixBearingGrains::velocity(const Shaft *s) const
 {
   if (!s) return {};

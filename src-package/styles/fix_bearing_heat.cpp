@@ -22,7 +22,8 @@ using bearing::text;
 namespace of = bearing::of_fix_heat;
 
 static constexpr double passes_at_first = 2.0;     // number of ball passes after the load ramp
-static constexpr double samples_a_pass = 200.0;    // maximum number per ball pass
+                                                   // before losses are averaged
+static constexpr double samples_a_pass = 200.0;    // maximum number of samples per ball pass
 
 // fix ID group bearing/heat [heat yes|no] [ambient T] [cooling G] [shaft_cooling G] [seat G]
 // [housing_capacity C] [oil_flow Q] [oil_inlet T] [warm_start T] [warm_time S] [warm_change K]
@@ -216,7 +217,7 @@ void FixBearingHeat::setup(int)
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp_ = std::max(ramp_, f->ramp());
   stride_ = std::max(1, static_cast<int>(pass_ / update->dt / samples_a_pass));
-  if (rewrite_) {    // these rows were written before the restart file
+  if (rewrite_) {    // these rows had been written before the restart file was
     rewrite_ = false;
     if (FILE *f = file_.file(); f)
       for (const Row &row : rows_) write_row(row);
@@ -234,7 +235,8 @@ void FixBearingHeat::begin_step()
     grow(std::min(1.0, (now_.since + update->dt) / pass_));
 }
 
-// Sets the contact law for the temperature of the oil, and the expansion of the surfaces.
+// Adapts the contact law to the temperature of the oil, and sets the thermal expansion of the
+// surfaces.
 void FixBearingHeat::apply_oil()
 {
   if (!dry_)
@@ -294,7 +296,7 @@ void FixBearingHeat::end_of_step()
   }
 }
 
-// Makes the temperatures jump according to the mean losses during the last ball pass.
+// Lets the temperatures jump according to the mean losses during the last ball pass.
 void FixBearingHeat::end_pass()
 {
   HeatPass seen = now_.sum;
@@ -384,7 +386,7 @@ double FixBearingHeat::value(int column) const
   return 0.0;
 }
 
-// Returns the temperature (C) of the oil at the outlet or, without flow, of the oil in the
+// Returns the temperature (C) of the oil at the outlet or, if no oil flows, of the oil in the
 // contacts.
 double FixBearingHeat::outlet() const
 {

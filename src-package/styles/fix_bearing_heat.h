@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/heat: temperatures of the inner ring, balls, outer ring, housing and flowing oil of a
-// named bearing, which is heated by the losses in its contacts. Films, clearance and friction
-// follow the temperatures (docs/heat).
+// fix bearing/heat: computes the temperatures of the inner ring, the balls, the outer ring, the
+// housing and the flowing oil of a named bearing that is heated by the losses in its contacts.
+// Films, clearance and friction change with the temperatures (docs/heat).
 //
 // Because temperatures change slowly and balls move fast, the temperatures jump
 // (core/laws/heat_jumps.h): a ramp over one ball pass changes the clearance to its value at the new
@@ -42,14 +42,15 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   void restart(char *) override;
 
   void begin_step() override;
-  // True if the temperatures no longer change because they are steady, the requested time is over
-  // or heat is off.
+  // Returns true if the temperatures no longer change, because they are steady, the requested time
+  // is over, or heating is switched off.
   bool still() const { return idle_ || now_.stage == STAY; }
   bool idle() const { return idle_; }
   // Current temperatures (C) of the contacts, from INNER to OIL as in core/figures/fix_columns.h.
   std::array<double, 5> temperatures() const;
   bool covers_type(int ball_type) const;
-  double ambient() const { return network_.ambient; }    // C, at which the clearance is given
+  double ambient() const { return network_.ambient; }    // ambient temperature, C, at which the
+                                                         // bearing has the given clearance
 
  private:
   enum Stage { WAIT, RAMP, WATCH, LAST, STAY };
@@ -57,12 +58,13 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   // Contains only doubles, so that it can be written to restart files.
   struct State {
     raceway::HeatState heat;
-    raceway::HeatPass sum;    // integrals of the values over the current ball pass so far
+    raceway::HeatPass sum;    // time integrals of the values over the current ball pass so far
     double begun = 0.0, stage = WAIT;
     double since = 0.0;                         // s, time since this stage began
     double run = 0.0;                           // s, total time
     double summed = 0.0;                        // s, time covered by `sum`
-    double oil = 0.0;                           // C, oil temperature of the current contact law
+    double oil = 0.0;                           // C, oil temperature used in the current contact
+                                                // law
     double begin[raceway::heat_nodes] = {};     // C, temperatures at the start
     double from[parts] = {}, to[parts] = {};    // C, at the start and end of the clearance ramp
     double jump = 0.0;                          // s, length of the last jump
@@ -95,11 +97,11 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   double oil_flow_ = 0.0, oil_inlet_ = NAN;    // m^3/s and C
   raceway::HeatNetwork network_;
   raceway::HeatControl control_;
-  double bearings_ = 1.0;    // number of bearings that share these temperatures
+  double bearings_ = 1.0;    // number of bearings that have these temperatures
   double pass_ = 0.0;        // s, duration of a ball pass
   double ramp_ = 0.0;        // s, end of the load ramp
   int stride_ = 1;           // number of steps between samples
-  bigint last_step_ = -1;    // last step that was begun
+  bigint last_step_ = -1;    // last step that has been started
   bool apply_ = false, rewrite_ = false;
   State now_;
   std::vector<Row> rows_;    // rows of the file

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Losses and conductances of the contacts of a bearing, for fix bearing/heat.
+// Computes the losses and conductances of the contacts in a bearing for fix bearing/heat.
 #include "../core/contact/loss_table.h"
 #include "../core/laws/heat.h"
 #include "../ranks/gather.h"
@@ -14,15 +14,16 @@
 using namespace LAMMPS_NS;
 using raceway::HeatPass;
 
-// Half of the loss in a contact heats each of the two bodies. Drag heats the oil if oil flows; oil
-// that remains in the bearing transfers its heat to the surfaces that it wets. Losses in contacts
-// between balls and cage heat the balls. Sums are evaluated in the order of tags, so that they are
-// bitwise identical on any number of ranks.
+// Half of the loss in a contact heats each of the two bodies. The drag loss heats the oil if oil
+// flows; if the oil remains in the bearing, it transfers this heat to the surfaces that it wets.
+// Losses in contacts between the balls and the cage heat the balls. Sums are evaluated in the order
+// of tags, so that they are bitwise identical on any number of ranks.
 HeatPass FixBearingHeat::losses()
 {
   struct Share {
     bearing::tag_t first, second;
-    double place;                      // groove of a contact; -1 for a contact with a cage
+    double place;                      // index of the groove of a contact; -1 for a contact with a
+                                       // cage
     double ball, inner, outer, oil;    // W
     double to_inner, to_outer;         // W/K
   };

@@ -139,12 +139,13 @@ void FixBearingImplicit::init()
   }
 }
 
-// Finds the fixes whose rings are in the group. The list is the same on all ranks, although a rank
-// may own no rings or different rings than another rank.
+// Finds the fixes whose rings are in the group. The list is the same on all ranks, although ranks
+// may own different rings or none at all.
 void FixBearingImplicit::find_rings()
 {
   const std::vector<FixBearingRing *> all = bearing::fixes_of<FixBearingRing>(lmp);
-  std::vector<int> seen;    // two per fix: has rings in the group, has rings outside it
+  std::vector<int> seen;    // two flags per fix: it has rings in the group; it has rings outside
+                            // the group
   for (const FixBearingRing *r : all) {
     int mine = 0, others = 0;
     for (int i = 0; i < atom->nlocal; ++i)
@@ -166,8 +167,8 @@ void FixBearingImplicit::find_rings()
   }
 }
 
-// Returns true for styles that act in a step without changing the motion of atoms. Any other style
-// may change it.
+// Returns true for styles that act during a step without changing the motion of atoms. All other
+// styles may change it.
 static bool only_reads(const std::string &style)
 {
   for (const std::string known :
@@ -178,8 +179,8 @@ static bool only_reads(const std::string &style)
   return false;
 }
 
-// Stops with an error if another fix moves these atoms or applies forces that the step does not
-// include.
+// Stops with an error if another fix moves the atoms of this group or applies forces that the step
+// does not include.
 void FixBearingImplicit::check_fixes()
 {
   // returns the local index, plus one, of an atom that is in both this group and the group of fix
@@ -208,7 +209,7 @@ void FixBearingImplicit::check_fixes()
                        : modify->fmask[k] & POST_FORCE ? "adds forces that "
                                                          "an implicit step does not include"
                                                        : "may change their motion";
-    // applies to fixes of any group, because recenter may move a group other than its own
+    // this applies to fixes of any group, because recenter may move atoms outside its group
     const char *changes = BRG_CHANGES_BOX(f)                 ? "box"
                           : strcmp(f.style, "dt/reset") == 0 ? "timestep"
                           : strcmp(f.style, "recenter") == 0 ? "positions of its atoms"
@@ -237,15 +238,17 @@ void FixBearingImplicit::add_gravity(Fix &f)
   if (inside == 1) gravity_.push_back(&f);
 }
 
-// Returns the acceleration of an atom by the gravity fixes in this step, in m/s^2 with the bearing
-// axis as the third component. Collective, because a variable may be evaluated.
+// Returns the acceleration of an atom due to the gravity fixes in this step, in m/s^2, with the
+// bearing axis as the third component. Must be called on all ranks, because a variable may be
+// evaluated.
 raceway::Vec3 FixBearingImplicit::gravity()
 {
   if (gravity_.empty()) return {};
   const size_t n = 3 * static_cast<size_t>(atom->nlocal);
   if (n > 0) forces_.assign(&atom->f[0][0], &atom->f[0][0] + n);
   raceway::Vec3 fall;
-  double mass = 1.0;    // kg, so that rounding does not depend on the first atom of the rank
+  double mass = 1.0;    // kg, a fixed value, so that rounding does not depend on the first atom of
+                        // the rank
   int one = 0;
   while (one < atom->nlocal && !(atom->mask[one] & groupbit)) ++one;
   if (one < atom->nlocal) {

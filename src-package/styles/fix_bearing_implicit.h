@@ -2,13 +2,13 @@
 // fix bearing/implicit: implicit time integration of balls, cage balls and rings
 // (core/step/bearing_integrator.h).
 //
-// The whole host step is made in initial_integrate, in as many substeps as the step control
+// The whole host step is performed in initial_integrate, in as many substeps as the step control
 // requires. The fix works on its own copy of the state and calls the contact functions itself. The
 // host's subsequent force evaluation fills the contact table at the end of the step. This has four
-// advantages: output is written at host steps, however the substeps vary; the contact table and all
-// output based on it belong to the state that is written, not to a prediction; substeps and
-// repeated substeps require no neighbour checks, calls of fixes or clearing of arrays; and a
-// restart needs only positions, velocities and one step size.
+// advantages: output is written at host steps, regardless of how the substeps vary; the contact
+// table and all output based on it belong to the state that is written, not to a prediction;
+// substeps and repeated substeps require no neighbour checks, calls of fixes or clearing of arrays;
+// and a restart needs only positions, velocities and one step size.
 #ifdef FIX_CLASS
 FixStyle(bearing/implicit,FixBearingImplicit)
              FixStyle(bearing/damping,FixBearingImplicit)
@@ -49,22 +49,24 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   // shaft; each system has its own substeps.
   double systems() const;
   struct Control {
-    double tolerance, relative, cage;    // m; relative to the largest overlap; m, of cage balls
+    double tolerance, relative, cage;    // tolerance, m; tolerance relative to the largest overlap;
+                                         // tolerance of cage balls, m
     bool estimate;
   };
   Control control() const;
-  // Sampling rate of a record in Hz, as requested by fix bearing/vibration. If it is 0, the record
-  // chooses the rate.
+  // Returns the sampling rate (Hz) that fix bearing/vibration requests for a record. If it is 0,
+  // the record chooses the rate.
   double sampling_rate() const { return sampling_ * oversampling_; }
 
-  // Selects coarse implicit steps, which damp all vibration, while the bearing settles, or
-  // otherwise the steps of the deck. A deck that measures vibration always uses its own steps.
+  // Selects coarse implicit steps, which damp all vibration, for the time while the bearing
+  // settles, or otherwise the steps specified in the deck. In decks that measure vibration, the
+  // specified steps are always used.
   void coarse(bool);
   bool can_be_coarse() const { return sampling_ == 0.0; }
-  // Returns false if the steps of the deck cost hardly more than coarse steps.
+  // Returns false if the steps specified in the deck take hardly more time than coarse steps.
   bool coarse_saves() const;
-  // Must be called when the constants of the contact law change. The change applies from the next
-  // step on.
+  // Must be called whenever the constants of the contact law have changed. The change takes effect
+  // in the next step.
   void laws_changed() { laws_changed_ = true; }
 
   void want_instants(const bearing::Instants &, const std::string &command) override;
@@ -90,17 +92,21 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   [[noreturn]] void give_up(const OwnBearing &, double h) const;
 
   PairBearingHertz *pair_;
-  double tolerance_ = 0.0;    // m, estimated local error of a position in a substep; 0 if unknown
+  double tolerance_ = 0.0;    // m, allowed local error of a position in a substep; 0 until it is
+                              // known
   bool laws_changed_ = false;
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ has been set
   bearing::Instants instants_;
   std::set<std::string> readers_;    // commands that have requested instants
   double largest_ = HUGE_VAL;        // s, largest substep
   double creep_ = 0.01;
-  double cage_ = 0.0;                           // m, tolerance of cage balls, or 0
-  double relative_ = NAN;                       // NAN if the pair style sets it
-  std::optional<bool> estimate_;                // empty if the pair style sets it
-  double sampling_ = 0.0, oversampling_ = 4;    // Hz, sampling rate of the signal; oversampling
+  double cage_ = 0.0;                           // tolerance of cage balls, m, or 0
+  double relative_ = NAN;                       // relative tolerance; NAN if it is set by the pair
+                                                // style
+  std::optional<bool> estimate_;                // true: control by error estimates; empty if this
+                                                // is set by the pair style
+  double sampling_ = 0.0, oversampling_ = 4;    // sampling rate of the signal, Hz; samples in the
+                                                // record per sample of the signal
   std::vector<FixBearingRing *> rings_;         // fixes whose rings are integrated by this fix
   std::vector<Fix *> gravity_;                  // gravity fixes that act on all atoms of the group
   std::vector<double> forces_;                  // forces saved while gravity is evaluated

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of the bearings at instants within host steps: requests for it and its readout.
+// Handles requests for the state of the bearings at instants within host steps, and provides these
+// states.
 #include "fix_bearing_implicit_solver.h"
 #include "pair_bearing_hertz.h"
 #include "ring_values.h"

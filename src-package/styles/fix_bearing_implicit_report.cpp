@@ -29,8 +29,8 @@ double FixBearingImplicit::systems() const
   return n;
 }
 
-// Returns totals over all bearings since the start of the run (bearing::of_fix_implicit). Energies
-// are 0 unless they were requested.
+// Returns the totals over all bearings since the start of the run (bearing::of_fix_implicit).
+// Energies are 0 unless they were requested.
 double FixBearingImplicit::compute_vector(int k)
 {
   BearingIntegrator::Energy e = solver_->energy;

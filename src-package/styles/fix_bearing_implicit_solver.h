@@ -22,14 +22,15 @@ struct FixBearingImplicit::OwnBearing {
 };
 
 struct FixBearingImplicit::Solver {
-  raceway::BearingIntegrator::Settings settings, fine;    // of the current step; of the deck
-  raceway::BearingIntegrator::Energy energy;              // total before the last build
+  raceway::BearingIntegrator::Settings settings, fine;    // settings for the current step; settings
+                                                          // given in the deck
+  raceway::BearingIntegrator::Energy energy;              // totals up to the last neighbour build
   bearing::HomeBearings bearings;
   std::vector<OwnBearing> own;    // one entry per bearing whose home is on this rank
   std::vector<std::unique_ptr<raceway::BearingIntegrator>> integrators;
-  // Contacts at an instant. A single reader uses one buffer for all instants, which stays in the
-  // caches. For several readers, the contacts of the whole step are stored, ordered by instant and
-  // then by bearing.
+  // Contacts at an instant. If there is only one reader, it uses one buffer for all instants, which
+  // stays in the caches. If there are several readers, the contacts of the whole step are stored,
+  // ordered by instant and then by bearing.
   struct Unpacked {
     bigint step = -1;
     std::vector<raceway::BearingInstants::ContactAtInstant> contacts;

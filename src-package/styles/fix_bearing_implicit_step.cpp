@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The steps of fix bearing/implicit: finds the bearings after a neighbour build, loads their state,
-// makes the substeps and returns the state.
+// Performs the steps of fix bearing/implicit: finds the bearings after a neighbour build, loads
+// their state, performs the substeps and returns the state.
 #include "../core/bodies/alike_bearings.h"
 #include "../core/settings/arguments.h"
 #include "fix_bearing_cage.h"
@@ -63,8 +63,8 @@ void FixBearingImplicit::build()
   sources.motion = [this](int i) -> bearing::RingMotion & { return pair_->state()->ring(i); };
   all.bearings.build(sources, groupbit);
   all.own.clear();
-  // A solver stores nothing from earlier steps, so it is reused for any bearing with the same
-  // parts. An energy balance needs a new solver.
+  // A solver stores nothing from earlier steps, so it is reused for any bearing whose law has the
+  // same parts. An energy balance needs a new solver.
   std::vector<std::unique_ptr<BearingIntegrator>> earlier;
   if (!energy_wanted_ && !laws_changed_) earlier.swap(all.integrators);
   laws_changed_ = false;
@@ -77,8 +77,8 @@ void FixBearingImplicit::build()
   };
   all.unpacked.assign(readers_.size() > 1 ? (instants_.number - 1) * all.bearings.size() : 1, {});
   // A solver that is shared by identical bearings stays in the caches. An energy balance and
-  // instants belong to one bearing and outlast its step, so with them each bearing has its own
-  // solver.
+  // instants belong to one bearing and are needed after its step, so if they are requested, each
+  // bearing has a separate solver.
   const bool shared = !energy_wanted_ && instants_.number < 2;
   using Kind = std::tuple<const void *, size_t, int>;    // sufficient to distinguish most kinds
   std::map<Kind, std::vector<std::pair<int, BearingIntegrator *>>> kinds;
@@ -204,7 +204,7 @@ void FixBearingImplicit::advance(OwnBearing &p)
     substeps_ += 1.0;
     smallest_ = std::min(smallest_, h);
     worst_ = std::max(worst_, o.error);
-    // increase the substep again if the Newton iteration converged easily
+    // increase the substep again if the Newton iteration has converged easily
     const double grow = std::min(2.0, std::max(0.5, fit));
     if (o.corrections <= settings.corrections &&
         (grow < 1.0 || (!held && (!last || h > 0.99 * p.step))))

@@ -21,7 +21,7 @@ using raceway::ProfileShape;
 using raceway::RacewayPhysics;
 using raceway::Wave;
 
-// Writes a word as in a deck: in quotes if it contains blanks.
+// Writes a word as it would appear in a deck, i.e. in quotes if it contains blanks.
 static std::string quoted(const std::string &word)
 {
   if (word.find_first_of(" \t") == std::string::npos) return word;
@@ -84,7 +84,7 @@ std::vector<FixBearingProfile::FlawedBall> FixBearingProfile::balls(PairBearingH
   return bearing::gather_all(mine, world);
 }
 
-// Stops with an error unless a ball can follow the notch.
+// Stops with an error if a ball cannot follow the notch.
 void FixBearingProfile::check_notch(const NotchShape &n, const char *what, double rolling) const
 {
   const double most = std::min(0.5 * n.length, std::sqrt(2.0 * rolling * n.depth));
@@ -146,7 +146,7 @@ void FixBearingProfile::check_pits(bearing::tag_t ring, const ProfileShape &shap
     }
 }
 
-// The first fix of this style passes the sums of all profiles to the pair style.
+// The first fix of this style combines all profiles and passes them to the pair style.
 void FixBearingProfile::init()
 {
   const std::vector<FixBearingProfile *> all = bearing::fixes_of<FixBearingProfile>(lmp);
@@ -230,8 +230,8 @@ void FixBearingProfile::add_balls(PairBearingHertz &pair,
     for (const auto &one : ball.second) pair.profiles().add(ball.first, one.first, one.second);
 }
 
-// Stops with an error if two pits overlap in azimuth, because their strips in one contact would not
-// add up.
+// Stops with an error if two pits overlap in azimuth, because the effects of their strips on one
+// contact would not be additive.
 void FixBearingProfile::check_apart(bearing::tag_t ball, const BallShape &shape,
                                     double radius) const
 {
@@ -248,7 +248,7 @@ void FixBearingProfile::check_apart(bearing::tag_t ball, const BallShape &shape,
     }
 }
 
-// For velocity Verlet, rotates each ball over a step with its mid-step spin. Fix bearing/implicit
+// With velocity Verlet, each ball is rotated over a step by its mid-step spin. Fix bearing/implicit
 // rotates its balls itself.
 void FixBearingProfile::pre_force(int)
 {

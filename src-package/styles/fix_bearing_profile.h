@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/profile: deviation of the raceways of a group's rings from a torus, or of a group's
-// balls from a sphere.
+// fix bearing/profile: describes how the raceways of the rings in a group deviate from a torus, or
+// how the balls in a group deviate from a sphere.
 #ifdef FIX_CLASS
 FixStyle(bearing/profile,FixBearingProfile)
 #else
@@ -24,13 +24,14 @@ class FixBearingProfile : public Fix {
   void init() override;
   void pre_force(int) override;
 
-  bool departs() const { return settings_.departs(); }    // from a torus or sphere
+  bool departs() const { return settings_.departs(); }    // true if the surfaces deviate from a
+                                                          // torus or sphere
   bool of_balls() const { return settings_.of_balls; }
   const std::string &said() const { return said_; }    // keywords and values of the command
 
   struct FlawedRing {
     bearing::tag_t tag;
-    int type, turns_alone;    // 1 if it spins and no fix bearing/ring tracks its angle
+    int type, turns_alone;    // turns_alone: 1 if it spins and no fix bearing/ring tracks its angle
   };
   std::vector<FlawedRing> rings(PairBearingHertz &) const;    // rings of the group on all ranks
   struct FlawedBall {
@@ -52,7 +53,7 @@ class FixBearingProfile : public Fix {
 
   std::string said_;
   bearing::ProfileSettings settings_;
-  bool turns_ = false;    // true if this fix rotates the balls of all fixes of this style
+  bool turns_ = false;    // true if this fix rotates the balls for all fixes of this style
 };
 
 }    // namespace LAMMPS_NS

@@ -46,7 +46,7 @@ void FixBearingProgress::setup(int)
 
 void FixBearingProgress::end_of_step() { show(); }
 
-// Prints the last row. If `share` is a variable, this run is one of many and prints no rows.
+// Prints the last row, except if `share` is a variable, because this run is then one of many.
 void FixBearingProgress::post_run()
 {
   if (!share_.is_variable()) show();
@@ -63,7 +63,7 @@ void FixBearingProgress::show()
 {
   if (update->ntimestep == shown_) return;
   shown_ = update->ntimestep;
-  if (!headed_) {    // not at the set-up, when the host prints its own lines
+  if (!headed_) {    // not printed during the set-up, when the host prints its own lines
     say(title_);
     say("  done %    left s      step      time s    ring um  loaded     load N    p GPa"
         "  cage rad/s");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/progress: prints a readable table of the progress of a run and the state of the
-// bearings, with names, units, the finished fraction and the remaining time. The host's own table
-// allows only eight letters per column and shows no units.
+// bearings, with names, units, the finished fraction and the remaining time. The host's table
+// allows only eight letters per column and does not show units.
 #ifdef FIX_CLASS
 FixStyle(bearing/progress,FixBearingProgress)
 #else

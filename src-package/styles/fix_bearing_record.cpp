@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 static constexpr size_t batch_bytes = 1 << 20, most_in_batch = 256;
 
-// A note becomes an attribute of the file. Names that scipy's netCDF reader uses internally would
-// break that reader, and the header itself uses the name `checksum`.
+// A note becomes an attribute of the file. Its name must not be one that scipy's netCDF reader uses
+// internally, because this would break the reader. The name `checksum` is used in the header.
 static void check_note(const Arguments &args, const char *what, const std::string &name)
 {
   static const char *const taken[] = {
@@ -129,8 +129,8 @@ void FixBearingRecord::read_options(Arguments &args)
                  columns_.end());
 }
 
-// Reads NAME VALUE, or any number of NAME=VARIABLE, which store the current value of a variable of
-// the deck.
+// Reads NAME VALUE, or any number of words NAME=VARIABLE, which store the current value of a deck
+// variable.
 void FixBearingRecord::read_notes(Arguments &args, Note kind)
 {
   const char *what = kind == Note::text ? "name of a text" : "name of a number";
@@ -179,14 +179,14 @@ void FixBearingRecord::init()
   over_ = a_pass_ > 0.0 && open_ && modify->find_fix(bearing::fix_of_run) < 0;
   pair_ = PairBearingHertz::find(lmp, command_);
   context_ = bearing::context_of(lmp, *pair_, columns_, command_);
-  // sums over bearings need these data even if their columns are not selected
+  // these data are needed for sums over bearings even if their columns are not selected
   const bearing::Offer offer = bearing::offer_of(lmp, *pair_);
   if (!context_.capacitor && offer.capacitance)
     context_.capacitor = bearing::capacitor_of(lmp, command_, "a capacitance");
   context_.surroundings = offer.surroundings;
 }
 
-// Distributes the samples of a ball pass over the steps that run_bearing has chosen.
+// Distributes the samples of a ball pass over the steps chosen by run_bearing.
 void FixBearingRecord::begin(const bearing::Sampling &sampling)
 {
   nevery = sampling.every;
@@ -195,8 +195,8 @@ void FixBearingRecord::begin(const bearing::Sampling &sampling)
   if (dumps_) begin_dumps();
 }
 
-// Starts text dumps by the host of contacts, balls and rings at the ends of steps, in the folder of
-// the record. The columns of the dumps are listed in run.yaml.
+// Starts the host's text dumps of contacts, balls and rings, which are written at the ends of steps
+// to the folder of the record. The columns of the dumps are listed in run.yaml.
 void FixBearingRecord::begin_dumps()
 {
   const std::string every = std::to_string(nevery), resumed = resumed_ ? "yes" : "no";
@@ -224,7 +224,8 @@ void FixBearingRecord::note(NetcdfHeader::Attribute one, bool changes)
   notes_.push_back(one);
 }
 
-// Takes the first sample at the start of every run, unless the previous run ended with that sample.
+// Takes the first sample at the start of every run unless it was already taken at the end of the
+// previous run.
 void FixBearingRecord::setup(int)
 {
   if (waits() || over_) return;
@@ -255,8 +256,8 @@ void FixBearingRecord::check_time_step() const
             bearing::text(update->dt) + " s; the samples of a record must be evenly spaced");
 }
 
-// Stops with an error if the host's step number changed between two runs, because the record would
-// have a gap.
+// Stops with an error if the host's step number has changed between two runs, because the record
+// would have a gap.
 void FixBearingRecord::check_step() const
 {
   const double now = static_cast<double>(update->ntimestep);
@@ -265,7 +266,7 @@ void FixBearingRecord::check_step() const
             bearing::text(left_) + "; begin a record after reset_timestep, not before");
 }
 
-// Stops with an error if a fix bearing/profile was added, removed or changed between two runs.
+// Stops with an error if a fix bearing/profile has been added, removed or changed between two runs.
 void FixBearingRecord::check_flaws() const
 {
   std::string noted;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/record: writes all data of the bearings of a group, evenly sampled, to one netCDF
-// file in a folder (core/record/record_file.h).
+// fix bearing/record: writes evenly spaced samples of all data of the bearings in a group to one
+// netCDF file in a folder (core/record/record_file.h).
 //
 // At the end of a step, every rank samples the atoms that it owns; within a step, it samples the
 // bearings whose home it is (core/record/record_rows.h). The rows of a batch of samples are sent
@@ -40,11 +40,11 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   // Number of samples per ball pass requested from run_bearing; 0 if samples are N steps apart
   // instead.
   double samples_a_pass() const { return a_pass_; }
-  int within_asked() const { return within_; }    // 0 if run_bearing chooses it
+  int within_asked() const { return within_; }    // 0 if it is chosen by run_bearing
   // Stores a number of samples per ball pass that differs from the requested number.
   void set_samples_a_pass(double number) { a_pass_ = number; }
-  // Adds an attribute to the record's header. If `changes` is true, a longer run may change its
-  // value.
+  // Adds an attribute to the record's header. If `changes` is true, its value may change when the
+  // run is continued.
   void note(bearing::NetcdfHeader::Attribute, bool changes = false);
 
  private:
@@ -75,7 +75,7 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   void refuse_write(const std::string &complaint) const;
   double time_of(double step) const;
   struct Spent {
-    double wall = 0.0, processor = 0.0;       // s, times of this rank
+    double wall = 0.0, processor = 0.0;       // s, wall-clock and processor times of this rank
     double steps = 0.0, evaluations = 0.0;    // work of the integrator per bearing
   };
   void start_clocks();
@@ -86,13 +86,15 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   class PairBearingHertz *pair_;
   std::string command_, folder_, path_;
   bool single_ = false, sampled_ = true, motion_ = true, overwrite_ = false;
-  bearing::NetcdfHeader::Attributes notes_, about_;    // from the command; with derived attributes
+  bearing::NetcdfHeader::Attributes notes_, about_;    // attributes from the command; all
+                                                       // attributes, including derived ones
   bearing::ContactSelection columns_;
   bearing::ContactContext context_;
   bool dumps_ = false;
-  int within_ = 1;                                         // samples per step, the last at its end
+  int within_ = 1;                                         // samples per step, of which the last is
+                                                           // at its end
   double a_pass_ = 0.0;                                    // number of samples per ball pass, or 0
-  bool allowed_ = false;                                   // whether the folder may be overwritten
+  bool allowed_ = false;                                   // true if the folder may be overwritten
   std::vector<class FixBearingImplicit *> integrators_;    // sources of the instants within steps
   std::vector<class FixBearingHeat *> heats_;    // one per bearing or null; empty if all are null
   bearing::TagSet capacitors_;                   // balls for which a capacitance is computed
@@ -103,7 +105,7 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   bearing::RecordRows rows_;    // rows of this rank since the last flush
   double samples_ = 0.0;
   double first_step_ = 0.0, start_ = 0.0, last_step_ = -1.0, step_length_ = 0.0;
-  double left_ = -1.0;    // last step of the previous run, or the step of the restart file
+  double left_ = -1.0;    // last step of the previous run or of the restart file
   bool resumed_ = false, running_ = false;
   bool over_ = false;    // run_bearing has finished its measurement; later runs take no samples
   Spent clocks_;         // clock readings at the start of the current run

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Time and steps spent by a run. Stops the clocks at the end of the run and stores both in restart
-// files.
+// Measures the time and the number of steps spent by a run. The clocks are stopped at the end of
+// the run, and both values are stored in restart files.
 #include "fix_bearing_record.h"
 #include "integrator_work.h"
 #include "record_settings.h"
@@ -56,7 +56,7 @@ void FixBearingRecord::post_run()
          NetcdfHeader::attribute("wall_s", spent_.wall)}));
 }
 
-// Returns the cost of the current run so far. Collective.
+// Returns the time and steps spent in the current run so far. Must be called on all ranks.
 FixBearingRecord::Spent FixBearingRecord::made() const
 {
   Spent s;
@@ -68,7 +68,7 @@ FixBearingRecord::Spent FixBearingRecord::made() const
   return s;
 }
 
-// Returns the time and steps spent so far. Collective.
+// Returns the time and steps spent so far, including previous runs. Must be called on all ranks.
 FixBearingRecord::Spent FixBearingRecord::spent_now() const
 {
   if (!running_) return spent_;
@@ -81,7 +81,8 @@ FixBearingRecord::Spent FixBearingRecord::spent_now() const
   return sum;
 }
 
-// First writes to the record all samples that the restart file counts. Collective.
+// Before the state is stored, all samples that are counted in the restart file are written to the
+// record. Must be called on all ranks.
 void FixBearingRecord::write_restart(FILE *fp)
 {
   flush();
@@ -110,5 +111,5 @@ void FixBearingRecord::restart(char *buf)
   spent_.evaluations = data[7];
   left_ = data[8];
   resumed_ = samples_ > 0.0;
-  allowed_ = true;    // the run that wrote the restart file was allowed to overwrite
+  allowed_ = true;    // the run that wrote the restart file was allowed to overwrite the folder
 }

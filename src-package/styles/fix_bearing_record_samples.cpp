@@ -17,8 +17,8 @@ using bearing::RacewayContact;
 using raceway::Vec3;
 namespace of_ring = bearing::of_ring;
 
-// Finds the integrators that provide samples within steps, and the balls for which they provide the
-// capacitance.
+// Finds the integrators that provide samples within steps, and the balls for which they also
+// provide the capacitance.
 void FixBearingRecord::find_integrators()
 {
   integrators_ = bearing::fixes_of<FixBearingImplicit>(lmp);
@@ -107,7 +107,7 @@ void FixBearingRecord::sample_gap(int ball, const bearing::ContactView &view)
   if (view.capacitor.separation > 0.0) rows_.gap(ball, view);
 }
 
-// A ball is assigned half of the loss in its contacts with other balls and the whole loss in its
+// A ball is assigned half of the loss in its contacts with other balls, and all of the loss in its
 // contacts with cage balls.
 void FixBearingRecord::sample_cage()
 {

@@ -45,7 +45,7 @@ void FixBearingRecord::refuse_write(const std::string &complaint) const
   if (!complaint.empty()) BRG_ONE(command_ + ": " + path_ + ": " + complaint);
 }
 
-// Combines the rows that the ranks have for the same samples. Called on rank 0.
+// Combines the rows of all ranks that belong to the same samples. Called on rank 0 only.
 std::string FixBearingRecord::gather(const std::vector<double> &said, size_t samples)
 {
   std::vector<double> all;

@@ -43,8 +43,8 @@ FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg, Words) :
   axes_.along = pair_->coefficients().axis_index();
 }
 
-// Returns the usual mass and inertia of the inner ring of a named bearing; they are unknown for
-// other rings.
+// Returns the usual mass and inertia of the inner ring of a named bearing; for other rings they are
+// unknown.
 bearing::RingBody FixBearingRing::usual_body() const
 {
   std::vector<int> types;
@@ -75,7 +75,7 @@ void FixBearingRing::settings_are_read()
   }
 }
 
-// Finds the rings again in every run, because the group may change between two runs.
+// Finds the rings anew in every run, because the group may change between two runs.
 void FixBearingRing::find_rings()
 {
   const std::string group_name = group->names[igroup];
@@ -124,7 +124,7 @@ std::vector<double> FixBearingRing::imposed_spin()
 void FixBearingRing::refuse_another_mover()
 {
   for (FixBearingRing *other : bearing::fixes_of<FixBearingRing>(lmp)) {
-    if (other == this) break;    // only the later of two fixes reports the error
+    if (other == this) break;    // only the later of two such fixes reports the error
     for (int i = 0; i < atom->nlocal; ++i)
       if (moves(i) && other->moves(i))
         BRG_ONE(bearing::name_of(*this) + " and " + bearing::name_of(*other) +
@@ -156,7 +156,7 @@ void FixBearingRing::init()
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i) && pair_->is_implicit(i)) by_another = 1;
   MPI_Allreduce(MPI_IN_PLACE, &by_another, 1, MPI_INT, MPI_MAX,
-                world);    // ranks without rings need the result, too
+                world);    // ranks without rings also need the result
   by_another_ = by_another;
   time_integrate = by_another_ ? 0 : 1;
   find_holder();
@@ -197,8 +197,8 @@ void FixBearingRing::find_holder()
   holder_ = all.front();
 }
 
-// Driven speeds apply from the first instant on. The load is added to the forces of the set-up, as
-// in any step.
+// Driven speeds apply from the first instant on. In the set-up, the load is added to the forces in
+// the same way as in any step.
 void FixBearingRing::setup(int vflag)
 {
   if (holder_moves_by_ && holder_moves_by_->by_another_ != by_another_)
@@ -223,17 +223,17 @@ void FixBearingRing::setup(int vflag)
     }
   post_force(vflag);
   hold(0.0);
-  noted_ = false;    // the forces of later fixes are still missing
+  noted_ = false;    // the forces of later fixes have not been added yet
 }
 
-// Evaluates the values given by numbers or equal-style variables.
+// Evaluates the values that are given as numbers or equal-style variables.
 void FixBearingRing::evaluate(int first, int last)
 {
   for (int k = first; k < last; ++k) now_.of[k] = settings_.value[k].now(lmp);
 }
 
 // Evaluates atom-style variables only once per run, because evaluating them for every atom in every
-// step would cost more than computing the bearings.
+// step would take longer than computing the bearings.
 void FixBearingRing::find_own_values()
 {
   for (int k : own_) {
@@ -307,7 +307,7 @@ RingProgram FixBearingRing::program(const std::vector<RingValue> &own) const
   return p;
 }
 
-// Returns the RingProgram for velocity Verlet, which needs it only at the end of a step.
+// Returns the RingProgram for velocity Verlet, in which it is needed only at the end of a step.
 RingProgram FixBearingRing::at_end(const Values &of) const
 {
   RingProgram p = settings_.program;
@@ -332,8 +332,8 @@ void FixBearingRing::begin_step()
 }
 
 // Stops with an error if an imposed position or spin speed jumped in the last step. A jump is a
-// change that is far larger than those in the steps before and after it, and larger than contacts
-// can follow (1 um, or a slip of 1 %).
+// change that is far larger than those in the previous and the following step, and too large for
+// contacts to follow (more than 1 um, or a slip of 1 %).
 void FixBearingRing::check_jumps()
 {
   constexpr double far = 20.0;

@@ -35,8 +35,8 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   void write_restart(FILE *) override;
   void restart(char *) override;
 
-  // Returns true if the fix moves atom i. The rings in the group of a fix bearing/implicit are
-  // moved by that fix itself.
+  // Returns true if this fix moves atom i. The rings in the group of a fix bearing/implicit are
+  // moved by the latter.
   bool moves(int i) const
   {
     return (atom->mask[i] & groupbit) && (only_type_ == 0 || atom->type[i] == only_type_);
@@ -51,8 +51,8 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
             settings_.value[spin].constant_value() != 0.0);
   }
   bool moves_axially() const { return settings_.program.mode[2] != raceway::Freedom::fixed; }
-  // Returns the currently imposed spin in rad/s by local atom index. It is NAN for other atoms, or
-  // if no spin is imposed.
+  // Returns the currently imposed spin (rad/s), indexed by local atom. It is NAN for other atoms
+  // and if no spin is imposed.
   std::vector<double> imposed_spin();
   const bearing::StatedLoads &stated_loads() const { return settings_.stated; }
   // Returns true if the imposed loads and motions are constant after the ramp and do not depend on
@@ -60,26 +60,26 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   bool constant() const;
   double ramp() const { return settings_.program.ramp; }    // s, ramp time of the loads
   // Returns the tag of the first ring if all rings of the fix are on one shaft, and 0 otherwise;
-  // the second function returns the position (m) of a ring on the shaft.
+  // the second function returns the position (m) of a ring along the shaft.
   virtual bearing::tag_t shaft() const { return 0; }
   virtual double place_on_shaft(int) const { return 0.0; }
   // Returns this fix if it is a flexible shaft, and null otherwise.
   virtual FixBearingShaft *bending() { return nullptr; }
-  // Tag of the ring to which the supports connect; 0 if they connect to the ground.
+  // Returns the tag of the ring to which the supports connect, or 0 if they connect to the ground.
   bearing::tag_t holder() const { return holder_; }
   void begin_step();
   // Stores the accelerations that follow from the forces of all fixes at the start of a run.
-  // Collective.
+  // Must be called on all ranks.
   void note_setup();
-  // Force balance (N) of the fix's first ring along its free directions: the load on the ring, and
-  // the part of the load that contacts do not carry.
+  // Force balance (N) of the first ring of the fix along its free directions: the load on the ring,
+  // and the part of the load that is not carried by contacts.
   struct Balance {
     raceway::Vec3 load, left;
   };
   Balance balance();
-  // Returns the values of ring i that come from atom-style variables.
+  // Returns the values for ring i that come from atom-style variables.
   std::vector<raceway::RingValue> own_values(int i) const;
-  // Returns the driven motion and the loads, in this step, of a ring with these values.
+  // Returns the driven motion and the loads in this step for a ring that has the given values.
   raceway::RingProgram program(const std::vector<raceway::RingValue> &own) const;
 
   void grow_arrays(int) override;
@@ -114,11 +114,12 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   RingProgram at_end(const Values &) const;
   RingProgram at_end(int i) const { return at_end(values(i)); }
   virtual double mass_of_atom() const { return settings_.program.mass; }
-  raceway::Vec3 load_of(const RingProgram &, int i) const;    // N; the bearing axis is third
+  raceway::Vec3 load_of(const RingProgram &, int i) const;    // force, N; the bearing axis is the
+                                                              // third component
   raceway::RingAtom read(int i) const;
   void write(int i, const raceway::RingAtom &);
   // Computes the forces of the supports on a ring (RingProgram::SPIN values, N and N m) if the
-  // given other forces act on it.
+  // given forces act on it in addition.
   static void support_of(const RingProgram &, const raceway::RingAtom &, const raceway::Vec3 &push,
                          const raceway::Vec3 &moment, double half, double *on);
   virtual void kick();
@@ -145,25 +146,27 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   struct Imposed {
     double at[RingProgram::N_DOF] = {NAN, NAN, NAN, NAN, NAN, NAN};
     double moved[RingProgram::N_DOF] = {},
-           before[RingProgram::N_DOF] = {};    // changes in the last two steps
+           before[RingProgram::N_DOF] = {};    // imposed values and their changes in the last two
+                                               // steps
   } imposed_;
   // number of values in a restart file
   static constexpr size_t numbers_kept = 1 + sizeof(Imposed) / sizeof(double);
   Values now_, before_;                 // values of all rings in this step and the previous one
-  std::vector<int> own_;                // indices of the values that are given for each ring
-  std::vector<Values> per_ring_;        // the values with these indices, by local atom
-  bool called_back_ = false;            // whether the host moves per_ring_ along with the atoms
-  bool by_another_ = false;             // whether a fix bearing/implicit integrates these rings
+  std::vector<int> own_;                // indices of the values that are specified separately for
+                                        // each ring
+  std::vector<Values> per_ring_;        // values with these indices, indexed by local atom
+  bool called_back_ = false;            // true if the host moves per_ring_ along with the atoms
+  bool by_another_ = false;             // true if a fix bearing/implicit integrates these rings
   std::vector<bearing::tag_t> tags_;    // tags of the rings in ascending order
   bearing::tag_t holder_ = 0;
   FixBearingRing *holder_moves_by_ = nullptr;
-  // Forces on this fix's rings from supports between two rings in this step, in N with the bearing
-  // axis as the third component.
+  // Forces (N) that supports between two rings exert on the rings of this fix in this step. The
+  // bearing axis is the third component.
   std::map<bearing::tag_t, raceway::Vec3> between_;
   std::vector<ContactLoad> contacts_;    // loads on owned rings in the last step, sorted by tag
   std::vector<double> report_;
   bigint reported_ = -1;
-  bool noted_ = true;    // whether the accelerations follow from the forces in atom->f
+  bool noted_ = true;    // true if the accelerations follow from the forces in atom->f
 };
 
 }    // namespace LAMMPS_NS

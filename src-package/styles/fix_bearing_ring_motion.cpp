@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The part of fix bearing/ring within the host's step: velocity Verlet for rings, and their loads
-// with either integrator.
+// The part of fix bearing/ring that acts within the host's step: velocity Verlet for rings, and the
+// loads on rings with either integrator.
 #include "fix_bearing_ring.h"
 
 #include "../contacts/ring_motion.h"
@@ -63,7 +63,7 @@ void FixBearingRing::coast()
 void FixBearingRing::post_force(int)
 {
   evaluate(RingProgram::FORCE, RingProgram::N_VALUE);
-  // uses the sums over each ring, because other fixes may already have added to the forces in
+  // the sums over each ring are used, because other fixes may already have changed the forces in
   // atom->f
   const bearing::RingSum &sums = pair_->ring_sum();
   contacts_.clear();
@@ -94,7 +94,7 @@ void FixBearingRing::final_integrate()
   if (!by_another_) kick();
   note_accelerations();
   noted_ = true;
-  reported_ = -1;    // a variable may have evaluated the report within the step
+  reported_ = -1;    // the report may already have been evaluated by a variable within the step
 }
 
 // Adds the force and moment of the supports after all other forces. The velocities are `half`
@@ -113,8 +113,8 @@ void FixBearingRing::hold(double half)
     }
 }
 
-// Does the same as hold() for supports that connect to another ring. All ranks compute all such
-// supports, because the two rings may be on different ranks.
+// Does the same as hold() for supports that connect to another ring. All such supports are computed
+// on all ranks, because the two rings may be on different ranks.
 void FixBearingRing::hold_between(double half)
 {
   struct End {

@@ -11,8 +11,8 @@ using namespace LAMMPS_NS;
 using raceway::RingProgram;
 using raceway::Vec3;
 
-// Collects the values of all rings. Each ring is owned by one rank, so a sum over ranks is
-// sufficient.
+// Collects the values of all rings. Each ring is owned by exactly one rank, so it is sufficient to
+// sum over the ranks.
 void FixBearingRing::make_report()
 {
   report_.assign(tags_.size() * bearing::of_fix_ring::N, 0.0);
@@ -59,13 +59,13 @@ double FixBearingRing::compute_vector(int k) { return reported(0, k); }
 
 double FixBearingRing::compute_array(int row, int k)
 {
-  // rows of rings that joined the group appear in the next run
+  // the rows of rings that have joined the group appear in the next run
   return static_cast<size_t>(row) < tags_.size() ? reported(row, k) : 0.0;
 }
 
 double FixBearingRing::reported(int row, int k)
 {
-  // there is no output before the first run or after the pair style was replaced
+  // there is no output before the first run or after the pair style has been replaced
   if (!state_ || modify->find_fix(FixBearingState::fixed_id) < 0) return 0.0;
   if (reported_ != update->ntimestep) {
     note_setup();
@@ -90,7 +90,7 @@ FixBearingRing::Balance FixBearingRing::balance()
 
 std::vector<bearing::ColumnList::Item> FixBearingRing::columns() const
 {
-  // motion of the ring and the forces on it; the load is given by the deck
+  // the motion of the ring and the forces on it are listed; the load is known from the deck
   std::vector<Item> list;
   for (int k = 0; k < bearing::of_fix_ring::LOAD_X; ++k)
     list.push_back({bearing::of_fix_ring::list[k].name, bearing::of_fix_ring::list[k].format});

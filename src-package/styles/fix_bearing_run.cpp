@@ -60,9 +60,9 @@ void FixBearingRun::end_of_step()
   if (done >= (now_.passes + 1.0) * now_.steps) end_pass();
 }
 
-// Sums over the bearings in the order of tags, so that the sums are bitwise identical on any number
-// of ranks. Unlike the largest load, the sum of the loads hardly depends on the positions of the
-// balls.
+// Sums over the bearings in the order of tags, so that the results are bitwise identical on any
+// number of ranks. Unlike the largest load, the sum of the loads hardly depends on the positions of
+// the balls.
 SettlingSample FixBearingRun::sample()
 {
   struct Ball {
@@ -111,8 +111,8 @@ void FixBearingRun::end_pass()
   if (orbit_.runs()) search_orbit();
 }
 
-// Evaluates a ball pass of the search. If there is no orbit, the counter of ball passes restarts
-// from 0.
+// Evaluates a ball pass of the orbit search. If there is no orbit, the counter of ball passes
+// restarts from 0.
 void FixBearingRun::search_orbit()
 {
   Settling settling;
@@ -128,8 +128,8 @@ void FixBearingRun::search_orbit()
   now_.begin_steps = static_cast<double>(update->ntimestep);
 }
 
-// Runs after the fix that may stop the run and write a restart file; write_restart() accounts for
-// the current run.
+// Called after the fix that may stop the run and write a restart file. In that case,
+// write_restart() accounts for the current run.
 void FixBearingRun::post_run()
 {
   if (now_.measures == 0.0) now_.evaluations += bearing::integrator_work(lmp).evaluations;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Internal fix of run_bearing. It stores the progress of a run, in memory and in restart files, and
+// Internal fix of run_bearing. It stores, in memory and in restart files, the progress of a run and
 // the data that show whether the bearings have settled. It exists only while that command runs.
 #ifdef FIX_CLASS
 FixStyle(bearing/run,FixBearingRun)
@@ -28,17 +28,22 @@ class FixBearingRun : public Fix {
     double pass = 0.0;                   // s, duration of a ball pass
     double start = 0.0;                  // s, time at step 0
     double a_pass = 0.0;                 // number of samples per ball pass
-    double begin = 0.0;                  // s, duration of the first settling, with the load ramp
-    double begin_steps = 0.0;            // its number of steps; 0 until adaptive steps end
-    double passes = 0.0;                 // number of ball passes evaluated since then
+    double begin = 0.0;                  // s, duration of the first part of settling, including the
+                                         // load ramp
+    double begin_steps = 0.0;            // number of steps in this part; 0 until adaptive steps
+                                         // have ended
+    double passes = 0.0;                 // number of ball passes evaluated since the end of this
+                                         // part
     double steps = 0.0;                  // steps per ball pass, a multiple of `every`; 0 if unset
     double samples = 0.0;                // number of samples in the current ball pass
-    double settled = 0.0;                // `settle orbit` ends when changes are below this value
+    double settled = 0.0;                // `settle orbit` ends when the changes are below this
+                                         // value
     double evaluations = 0.0;            // number of force evaluations while settling
     double may_be_coarse = 0.0;          // 1 if the steps may be coarse while settling
     double coarse = 0.0;                 // 1 if the steps of the current ball pass are coarse
     bearing::SettlingSample sum;         // sum of the samples
-    bearing::SettlingChanges changes;    // between the last two ball passes, for `settle orbit`
+    bearing::SettlingChanges changes;    // changes between the last two ball passes, for `settle
+                                         // orbit`
     bearing::SettlingChanges rest;       // estimated remaining changes
   };
 
@@ -51,8 +56,8 @@ class FixBearingRun : public Fix {
   void restart(char *) override;
 
   bool resumed() const { return resumed_; }
-  // Returns the largest number of pockets of any one-piece cage, or 0 if there is no such cage. It
-  // may also be called before a run.
+  // Returns the largest number of pockets of any one-piece cage, or 0 if there is no such cage.
+  // This function may also be called before a run.
   double pockets() const;
   State &now() { return now_; }
   bearing::OrbitSearch &orbit() { return orbit_; }
@@ -62,7 +67,7 @@ class FixBearingRun : public Fix {
   State now_;
   bool resumed_ = false;
   bool has_pockets_ = false;
-  std::vector<bearing::SettlingSample> passes_;    // means over each ball pass
+  std::vector<bearing::SettlingSample> passes_;    // mean values over each ball pass
   bearing::OrbitSearch orbit_;
   class PairBearingHertz *pair_ = nullptr;
   class ComputeBearingTotal *total_ = nullptr;

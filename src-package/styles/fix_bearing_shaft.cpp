@@ -70,8 +70,8 @@ double FixBearingShaft::mass_of_atom() const
   return settings_.program.mass / static_cast<double>(tags_.size());
 }
 
-// Stops with an error unless the rings start on a common axis that is parallel to the axis of the
-// bearings.
+// Stops with an error unless the rings initially have a common axis that is parallel to the axis of
+// the bearings.
 void FixBearingShaft::check_axis() const
 {
   const std::vector<MountedRing> all = rings();
@@ -128,7 +128,7 @@ void FixBearingShaft::setup(int vflag)
   check_places();
 }
 
-// Converts loads along the shaft to loads at its centre.
+// Converts loads that act along the shaft to loads at its centre.
 void FixBearingShaft::evaluate(int first, int last)
 {
   FixBearingRing::evaluate(first, last);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/shaft: mounts the ring atoms of a group on one rigid shaft. It is a fix bearing/ring
-// whose rings move as one body, so degrees of freedom, inertia and loads refer to the shaft. The
-// shaft has no atom of its own; its first ring defines its position (core/bodies/shaft_ring.h). A
-// flexible shaft also has elastic modes (core/bodies/shaft_modes.h), whose state is stored here.
+// whose rings move as one body, so degrees of freedom, inertia and loads refer to the shaft. No
+// atom represents the shaft; its position is defined by its first ring (core/bodies/shaft_ring.h).
+// A flexible shaft also has elastic modes (core/bodies/shaft_modes.h), whose state is stored here.
 #ifdef FIX_CLASS
 FixStyle(bearing/shaft,FixBearingShaft)
 #else
@@ -33,9 +33,10 @@ class FixBearingShaft : public FixBearingRing {
   void set_bend(const raceway::BendState &b) { bend_ = b; }
   raceway::BendProgram bend_program() const;
 
-  // Used by fix bearing/grains: the current state of the rigid shaft on all ranks (the bearing axis
-  // is the third component), and the load of the grains at the shaft's centre in N and N m, which
-  // acts from the next step on. Collective.
+  // Used by fix bearing/grains. The first function returns the current state of the rigid shaft on
+  // all ranks (the bearing axis is the third component). The second sets the load that grains exert
+  // at the shaft's centre (N and N m), which acts from the next step on. Must be called on all
+  // ranks.
   raceway::RingAtom pose() const { return whole().shaft; }
   void set_grain_load(const raceway::Vec3 &force, const raceway::Vec3 &moment);
 
@@ -48,13 +49,13 @@ class FixBearingShaft : public FixBearingRing {
     bearing::tag_t tag;
     double at;    // m, position relative to the shaft's centre
     raceway::RingAtom now;
-    raceway::Vec3 force, moment;    // total on the atom
+    raceway::Vec3 force, moment;    // total force and moment on the atom
     raceway::Vec3 contact[2];       // force and moment exerted by balls and cage
   };
   // State of the shaft and the loads at its centre.
   struct Whole {
     raceway::RingAtom shaft;
-    raceway::Vec3 push, moment;    // total on the atoms of the rings
+    raceway::Vec3 push, moment;    // total force and moment on the atoms of the rings
     raceway::Vec3 contact[2];      // force and moment exerted by balls and cage
     std::vector<MountedRing> rings;
   };
@@ -76,7 +77,7 @@ class FixBearingShaft : public FixBearingRing {
   raceway::RingAtom seat(const raceway::RingAtom &shaft, double at,
                          const raceway::Vec3 &origin) const;
   raceway::Deflection deflection(double at) const;
-  // Returns the state of the shaft at its centre, which the supports need.
+  // Returns the state of the shaft at its centre, where the supports act.
   raceway::RingAtom at_centre(const raceway::RingAtom &shaft) const
   {
     return shaft_.of_file ? seat(shaft, 0.0, shaft.origin) : shaft;
@@ -99,7 +100,8 @@ class FixBearingShaft : public FixBearingRing {
 
   bearing::ShaftSettings shaft_;
   raceway::BendState bend_;
-  std::vector<double> places_;    // m, positions of the rings from the shaft's centre, by tag
+  std::vector<double> places_;    // m, positions of the rings relative to the shaft's centre,
+                                  // sorted by tag
   double middle_ = 0.0;           // m, mean of the rings' positions along the axis
   raceway::RingAtom between_;     // state of the shaft between kick and drift
 };

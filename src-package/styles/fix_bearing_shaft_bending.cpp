@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bending of a flexible shaft: its modes, their loads and their state.
+// Bending of a flexible shaft, i.e. its modes, their loads and their state.
 #include "../core/figures/fix_columns.h"
 #include "fix_bearing_shaft.h"
 #include "fix_bearing_state.h"
@@ -15,7 +15,7 @@ using raceway::RingProgram;
 using raceway::ShaftModes;
 using raceway::Vec3;
 
-static constexpr double near_enough = 1e-6;    // m, allowed distance from a station
+static constexpr double near_enough = 1e-6;    // m, largest distance allowed from a station
 
 Deflection FixBearingShaft::deflection(double at) const { return {modes().station(at), bend_}; }
 
@@ -77,7 +77,8 @@ std::vector<double> FixBearingShaft::forces_on_modes(const std::vector<MountedRi
   return of;
 }
 
-// Returns the strain energy for k = 0, and then the two coordinates of each mode.
+// Returns the strain energy for k = 0, and the coordinates of the modes, two per mode, for larger
+// k.
 double FixBearingShaft::bending_value(int k) const
 {
   if (k == 0) return strain_energy(modes(), bend_);
@@ -98,7 +99,7 @@ double FixBearingShaft::compute_array(int row, int k)
   return values[k - bearing::of_fix_ring::N];
 }
 
-// Stores the state of the fix like a fix bearing/ring, followed by the modes.
+// Stores the state of the fix in the same way as fix bearing/ring does, followed by the modes.
 void FixBearingShaft::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The part of fix bearing/shaft within the host's step: conversion between the states of rings and
-// the state of the shaft, velocity Verlet, and loads with either integrator.
+// The part of fix bearing/shaft that acts within the host's step: conversion between the states of
+// the rings and the state of the shaft, velocity Verlet, and the loads with either integrator.
 #include "fix_bearing_shaft.h"
 
 #include "../contacts/ring_motion.h"
@@ -72,7 +72,7 @@ void FixBearingShaft::move_rings(const RingAtom &shaft)
       write(i, raceway::carried(shaft, place_on_shaft(i), axes_.third(state_->ring(i).origin)));
 }
 
-// Adds loads on the shaft as a whole to the atom of its first ring.
+// Adds the loads that act on the shaft as a whole to the atom of its first ring.
 void FixBearingShaft::add_to_first(const RingAtom &shaft, const Vec3 &push, const Vec3 &moment)
 {
   const int i = first_ring();

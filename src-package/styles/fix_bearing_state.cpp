@@ -36,11 +36,11 @@ int FixBearingState::setmask() { return PRE_NEIGHBOR | END_OF_STEP | POST_RUN; }
 void FixBearingState::pre_neighbor()
 {
   pair_->indices_changed();
-  axes_sent_ = -1;    // the ghosts may now be different atoms
+  axes_sent_ = -1;    // the ghosts may be different atoms now
 }
 
-// Runs after all other fixes. If this run continues the previous one, restores the forces of its
-// last step.
+// Runs after all other fixes. If this run continues the previous one, it restores the forces of the
+// last step of that run.
 void FixBearingState::setup(int)
 {
   bearing::require_order(lmp, *modify->fix[modify->nfix - 1], *this,
@@ -101,7 +101,7 @@ double *FixBearingState::kept(int i, bearing::tag_t ring, int groove)
 }
 
 // Called by the rails and then by the pair style; only the first call in a step sends data. If no
-// fix rotates axes, they are sent only after the ghosts have changed.
+// fix rotates the axes of rings, they are sent only after the ghosts have changed.
 void FixBearingState::forward_axes()
 {
   if (comm->nprocs == 1 || axes_sent_ == update->ntimestep || (axes_sent_ >= 0 && !axes_turn_))
@@ -221,7 +221,7 @@ void FixBearingState::BRG_UNPACK_FORWARD(int n, int first, double *buf)
 
 #if BEARING_IS_LIGGGHTS
 // LIGGGHTS sends ghosts only from a slab of half this width (plus skin/2). The factor 2 makes the
-// slab wide enough for the centres of rings.
+// slab wide enough to include the centres of the rings.
 double FixBearingState::extend_cut_ghost() { return 2.0 * reach_; }
 #endif
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Internal fix of the bearing pair styles. It stores the state of balls and rings, except for
-// position and velocity, from step to step, on any number of ranks and in restart files. The pair
-// style creates it, so users need not define it.
+// Internal fix of the bearing pair styles. From step to step and in restart files, it stores the
+// state of balls and rings, except for position and velocity, on any number of ranks. It is created
+// by the pair style, so users do not have to define it.
 //
 //   ball  contact state, by ring and groove; orientation, if a profile needs it
 //   ring  axis, spin angle, origin, imposed tilt
 //   all   force and torque at the end of a run
 //
-// The next run, or a continued run, starts its first half kick with these forces, which are bitwise
-// identical to those of the previous step, instead of with forces at full-step velocities.
+// The first half kick of the next run, or of a continued run, uses these forces, which are bitwise
+// identical to those of the previous step, instead of forces at full-step velocities.
 #ifdef FIX_CLASS
 FixStyle(bearing/state,FixBearingState)
 #else
@@ -24,7 +24,7 @@ FixStyle(bearing/state,FixBearingState)
 
 namespace bearing {
 
-// The hooks of the pair style that only a fix can call; fix bearing/state calls them.
+// Hooks of the pair style that can only be called from a fix. They are called by fix bearing/state.
 class PairHooks {
  public:
   virtual raceway::Vec3 axis() const = 0;    // axis of the bearings at the start
@@ -45,7 +45,8 @@ class FixBearingState : public Fix {
  public:
   struct PerAtom;
   static constexpr const char *fixed_id = "BEARING_STATE";
-  static constexpr int max_grooves = 4;    // most grooves per ball with a contact state
+  static constexpr int max_grooves = 4;    // largest number of grooves per ball that have a contact
+                                           // state
   static constexpr int room = raceway::most_states;
 
   using RingMotion = bearing::RingMotion;
@@ -72,8 +73,8 @@ class FixBearingState : public Fix {
     return i < atom->nlocal ? comm->me : per_atom_[i].owner;
   }    // rank; for ghosts, as of the last forward_axes()
   std::vector<PerAtom> &per_atom() { return per_atom_; }
-  // Called in the set-up of a run: the axes and angles of rings are constant unless a fix then
-  // calls follow_axes().
+  // Called in the set-up of a run. Afterwards, the axes and angles of rings are assumed to be
+  // constant unless a fix calls follow_axes().
   void keep_axes() { axes_turn_ = false; }
   void follow_axes() { axes_turn_ = true; }
   void ghost_reach(double cut)
@@ -104,7 +105,7 @@ class FixBearingState : public Fix {
     double kept[max_grooves][room] = {};
     RingMotion ring;
     raceway::Quaternion turn;
-    bool saved = false;    // whether force and torque are those of saved_step
+    bool saved = false;    // true if force and torque are those of saved_step
     double saved_step = -1.0;
     double force[3] = {}, torque[3] = {};
     int owner = 0;    // rank that owns the atom if it is a ghost
@@ -119,7 +120,7 @@ class FixBearingState : public Fix {
   bearing::PairHooks *pair_;
   double reach_ = 0.0;
   bigint axes_sent_ = -1;    // step in which the axes were last sent
-  bool axes_turn_ = true;    // whether a ring may tilt in this run or its angle is needed
+  bool axes_turn_ = true;    // true if a ring may tilt in this run or its angle is needed
 };
 
 }    // namespace LAMMPS_NS

@@ -62,8 +62,8 @@ void FixBearingTimestep::check()
   limit_ = limit.step;
   smallest_limit_ = std::min(smallest_limit_, limit_);
   if (adapt_) {
-    // decrease the step at once, but increase it by at most a fifth per check, because the limit
-    // does not include contacts that are about to close
+    // the step is decreased immediately, but increased by at most a fifth per check, because the
+    // limit does not include contacts that are about to close
     const double wanted = std::min({safety_ * limit_, 1.2 * update->dt, largest_});
     if (!(wanted >= shortest_step))
       BRG_ALL(std::string("fix ") + id + " bearing/timestep: " + limit.why() + " allows only " +
@@ -83,7 +83,8 @@ void FixBearingTimestep::check()
 
 void FixBearingTimestep::set_step(double dt)
 {
-  update->update_time();    // thermo 'time' must continue with steps of varying length
+  update->update_time();    // the thermo keyword 'time' must remain continuous with steps of
+                            // varying length
   update->dt = dt;
   if (force->pair) force->pair->reset_dt();
   for (int i = 0; i < modify->nfix; ++i) modify->fix[i]->reset_dt();

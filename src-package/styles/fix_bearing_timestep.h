@@ -34,7 +34,7 @@ class FixBearingTimestep : public Fix {
   PairBearingHertz *pair_ = nullptr;
   double safety_ = 0.3, largest_ = HUGE_VAL;
   bool adapt_ = false, warned_ = false;
-  bool goes_on_ = false;    // whether the step and the previous check are from a restart file
+  bool goes_on_ = false;    // true if the step and the previous check are from a restart file
   int exceed_ = warn;
   double limit_ = HUGE_VAL, smallest_limit_ = HUGE_VAL;
   double run_start_ = 0.0;    // s, wall-clock time

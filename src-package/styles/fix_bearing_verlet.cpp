@@ -9,7 +9,7 @@ using namespace LAMMPS_NS;
 using bearing::Arguments;
 
 // fix ID group bearing/verlet [tolerance T] ... Keywords for the tolerances of the implicit step
-// are ignored, so that the same line of a deck works with either integrator.
+// are ignored, so that the same line of a deck can be used with either integrator.
 FixBearingVerlet::FixBearingVerlet(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The cost of a run in integrator steps and force evaluations, which do not depend on the load of
-// the machine.
+// Measures the cost of a run in integrator steps and force evaluations, because these do not depend
+// on the load of the machine.
 #ifndef BEARING_INTEGRATOR_WORK_H
 #define BEARING_INTEGRATOR_WORK_H
 
@@ -9,11 +9,11 @@
 namespace bearing {
 
 struct IntegratorWork {
-  double steps = 0.0, evaluations = 0.0;    // per bearing
+  double steps = 0.0, evaluations = 0.0;    // numbers per bearing
 };
 
-// Returns the work from the start of the current run until its post_run(). Collective. Velocity
-// Verlet evaluates the forces once per step.
+// Returns the work from the start of the current run until its post_run(). Must be called on all
+// ranks. Velocity Verlet evaluates the forces once per step.
 IntegratorWork integrator_work(LAMMPS_NS::LAMMPS *);
 
 }    // namespace bearing

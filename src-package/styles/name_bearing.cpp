@@ -81,8 +81,8 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
                                                        bearing::nearest(set, names) + "'";
       if (!wrong.empty()) complaint += (complaint.empty() ? "-var " : "; -var ") + set + wrong;
     }
-    // variables of later commands are also checked, so that wrong values are found before the run
-    // starts
+    // variables for later commands are also checked, so that wrong values are detected before the
+    // run starts
     const std::string file = bearing::deck_name(infile);
     bool main = true;    // true for a complete main deck, which converts rpm by a formula
     for (const bearing::DeckVariable &v : bearing::deck_variables())
@@ -103,8 +103,8 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
   if (!complaint.empty()) args.fail(complaint);
 }
 
-// Stops with an error if the user set data of cage balls for a one-piece cage, which does not use
-// them.
+// Stops with an error if the user has set data for cage balls although the cage is a one-piece
+// cage, which does not use them.
 void NameBearing::refuse_chain_data(const Arguments &args, const NamedBearing &b)
 {
   for (const std::string &given : b.given)
@@ -114,7 +114,8 @@ void NameBearing::refuse_chain_data(const Arguments &args, const NamedBearing &b
                   " is a ring: give it cage_play, or choose 'cage chain'");
 }
 
-// Completes the data and derives the raceways, including their clearance or arches.
+// Completes the data and derives the dimensions of the raceways, including their clearance or their
+// arches.
 void NameBearing::derive(const Arguments &args, NamedBearing &b)
 {
   DataValues::Map &map = b.data.values;
@@ -141,13 +142,13 @@ void NameBearing::derive(const Arguments &args, NamedBearing &b)
               ", must be 0 (other angles need a bearing with usual data, such as 7208)");
   }
   bearing::check_data(args, b.data, "bearing data");
-  // rounded to as many digits as the host's formula in earlier decks
+  // rounded to the same number of digits as by the formula of the host in earlier decks
   values.set("b_outer_raceway", values.number("outer_radius") + 0.5 * values.number("clearance"));
   values.set("b_box", 1.3 * values.number("b_outer_raceway"));
   laws.at("four_point")(values);
 }
 
-// Sets the numbers that a deck uses in formulas or prints.
+// Sets the variables with numbers that a deck uses in formulas or prints.
 void NameBearing::set_variables(const NamedBearing &b)
 {
   const auto set = [&](const std::string &name, const std::string &value) {

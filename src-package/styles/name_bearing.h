@@ -19,7 +19,7 @@ namespace LAMMPS_NS {
 // bearing NAME FILE|ROW types B C I O [clearance X] [contact_angle A] [four_point A]
 // [cage yes|no|ring|chain] [inputs FOLDER] [vars K ...]: reads the data of a bearing for later
 // commands that refer to it by name, and sets the variables NAME_... of the host. Stops with an
-// error if -var sets a variable that neither the deck nor the data define.
+// error if -var sets a variable that is defined neither in the deck nor in the data.
 class NameBearing : public bearing::CommandBase {
  public:
   explicit NameBearing(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

@@ -6,9 +6,9 @@
 
 namespace bearing {
 
-// A new instance of the host may have the same address as an earlier one, but it does not have its
-// variables. The variables set by the command `bearing` show whether a name belongs to this
-// instance.
+// A new instance of the host may have the same address as an earlier one, but it does not have the
+// variables of that instance. The variables set by the command `bearing` show whether a name
+// belongs to this instance.
 static std::map<std::pair<const LAMMPS_NS::LAMMPS *, std::string>, NamedBearing> &kept()
 {
   static std::map<std::pair<const LAMMPS_NS::LAMMPS *, std::string>, NamedBearing> bearings;
@@ -22,7 +22,7 @@ static bool is_alive(const LAMMPS_NS::LAMMPS *lmp, const std::string &name)
 
 void keep_bearing(const LAMMPS_NS::LAMMPS *lmp, const NamedBearing &bearing)
 {
-  if (lmp->domain->box_exist == 0)    // another deck begins after `clear`
+  if (lmp->domain->box_exist == 0)    // after `clear`, another deck begins
     for (auto at = kept().begin(); at != kept().end();)
       at = at->first.first == lmp && at->second.in_use ? kept().erase(at) : std::next(at);
   kept()[{lmp, bearing.name}] = bearing;

@@ -13,15 +13,17 @@ namespace bearing {
 struct NamedBearing {
   std::string name;
   int balls = 0, cage = 0, inner = 0, outer = 0;    // atom types
-  bool has_cage = true, has_cage_ring = false;      // balls on rails, one piece, or no cage
+  bool has_cage = true, has_cage_ring = false;      // cage of balls on rails; one-piece cage; both
+                                                    // false: no cage
   // Complete data as text in SI units, with clearance (m, diametral), contact_angle and four_point
   // (degrees), b_inner_raceway and b_outer_raceway (m), and b_inner_arch and b_outer_arch (words of
   // pair_coeff).
   NamedData data;
 
   std::vector<std::string> given;            // data given by the user as NAME=VALUE
-  mutable bool in_use = false;               // whether the current box uses it
-  mutable std::map<tag_t, double> phases;    // rad, initial azimuth of the first ball, by cage ring
+  mutable bool in_use = false;               // true if it is used in the current box
+  mutable std::map<tag_t, double> phases;    // rad, initial azimuth of the first ball for each
+                                             // one-piece cage
 
   double number_or(const std::string &key, double missing) const
   {
@@ -31,7 +33,7 @@ struct NamedBearing {
   double number(const std::string &key) const { return std::atof(word(key).c_str()); }
 };
 
-// Stores a bearing for this instance of the host. A bearing with the same name is replaced.
+// Stores a bearing for this instance of the host. It replaces any bearing with the same name.
 void keep_bearing(const LAMMPS_NS::LAMMPS *, const NamedBearing &);
 // Returns the bearing with this name, or null if there is none.
 const NamedBearing *find_bearing(const LAMMPS_NS::LAMMPS *, const std::string &name);

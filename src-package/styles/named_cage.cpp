@@ -17,8 +17,8 @@ using namespace LAMMPS_NS;
 
 namespace bearing {
 
-// Returns the contributions to a cage's friction and drag that are left out; in `names` they are
-// joined by +.
+// Returns the contributions to the friction and drag of a cage that are to be left out. In `names`
+// they are joined by +.
 static std::set<std::string> left_out(Arguments &args, const std::string &names)
 {
   const std::set<std::string> parts = {"friction", "shear", "land", "churning"};
@@ -50,7 +50,7 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
   if (!b.has_cage_ring)
     args.fail("the cage of bearing " + b.name + " is not a ring: give it 'cage ring'");
   const std::set<std::string> out = left_out(args, words["cage_without"]);
-  // rounded like the formulas of a deck
+  // rounded in the same way as by formulas in a deck
   const auto or_estimate = [&](const char *key, double estimate) {
     const double given = std::atof(words[key].c_str());
     return given != 0.0 ? given : written(estimate);
@@ -76,14 +76,14 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
     return ring->moves_axially() || ring->tilts();
   });
   line << " planar " << (plane ? "yes" : "no");
-  // oil in a pocket over the usual wrap angle
+  // the oil in a pocket covers the usual wrap angle
   const auto *pair = dynamic_cast<const PairBearing *>(lmp->force->pair);
   const std::string viscosity = pair ? pair->oil_datum(b.name, "viscosity") : "";
   if (!viscosity.empty())
     line << " oil " << viscosity << " " << words["cage_filled"] << " "
          << (out.count("shear") ? "0" : digits(raceway::usual_band * ball)) << " land_oil "
          << (out.count("land") ? "0" : words["cage_filled"]);
-  // the oil that causes drag on the balls
+  // the cage churns the same oil that causes drag on the balls
   const double churned = pair && !out.count("churning") ? pair->oil_share(b.name) : 0.0;
   if (churned > 0.0)
     line << " churning " << digits(churned) << " " << pair->oil_datum(b.name, "oil_density") << " "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The balls of one bearing, arranged by slot, as used by `settle orbit`. There are as many slots
+// The balls of one bearing, arranged by slots, as used by `settle orbit`. There are as many slots
 // around the ring as there are balls. In each ball pass, every ball moves to the next slot.
 #ifndef BEARING_ORBIT_BALLS_H
 #define BEARING_ORBIT_BALLS_H
@@ -18,7 +18,8 @@ class OrbitBalls {
   // spin (rad/s) in the radial, tangential and axial directions at the position of the ball.
   static constexpr int numbers = 5;
 
-  // Reads the current state of the balls. Collective, with the same result on all ranks.
+  // Reads the current state of the balls. Must be called on all ranks; the result is the same on
+  // each of them.
   explicit OrbitBalls(LAMMPS_NS::LAMMPS *);
 
   int size() const { return static_cast<int>(balls_.size()); }
@@ -33,14 +34,15 @@ class OrbitBalls {
   // Sets the orbital speeds and spins of the balls of this rank from values by slot. Positions do
   // not change.
   void put(double passes, const std::vector<double> &by_slot) const;
-  // Returns the mean advance (rad) of the balls in a ball pass, from their values before the ball
-  // pass and now.
+  // Returns the mean advance (rad) of the balls in a ball pass, from their values before and after
+  // it.
   double advance(const std::vector<double> &before, const std::vector<double> &now) const;
 
  private:
   struct Ball {
-    double tag, load;         // N, total on both raceways
-    raceway::Vec3 x, v, w;    // relative to the bearing's centre; the bearing axis is third
+    double tag, load;         // load: N, total of both raceways
+    raceway::Vec3 x, v, w;    // relative to the bearing's centre; the bearing axis is the third
+                              // component
     double azimuth() const { return std::atan2(x.y, x.x); }
     double radius() const { return std::hypot(x.x, x.y); }
     raceway::Vec3 place(const raceway::Vec3 &) const;    // radial, tangential and axial components

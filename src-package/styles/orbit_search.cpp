@@ -7,11 +7,11 @@
 
 namespace bearing {
 
-// Number of ball passes without progress after which the bearing is assumed to have no orbit,
-// because balls touch the cage or one another at different positions in every ball pass.
+// Number of ball passes without progress after which the bearing is assumed to have no orbit. This
+// occurs if balls touch the cage or one another at different positions in every ball pass.
 static constexpr double patience = 5.0;
 static constexpr double most_jumps = 8.0;
-// A jump is useful if an ordinary ball pass leaves more than this fraction of the residual.
+// A jump is useful if more than this fraction of the residual remains after an ordinary ball pass.
 static constexpr double slow = 0.6;
 // A ball pass counts as progress if its residual is below this fraction of the smallest one so far.
 static constexpr double less = 0.7;
@@ -33,9 +33,9 @@ void OrbitSearch::end_pass(LAMMPS_NS::LAMMPS *lmp, const SettlingChanges &change
   start_ = now_.jumped != 0.0 ? OrbitBalls(lmp).by_slot(now_.passes) : end;
 }
 
-// Evaluates a ball pass that is a value of the map. If a mode decays slowly, speeds are chosen for
-// the start of the next ball pass, during which the fast modes settle; that ball pass is not a
-// value of the map.
+// Evaluates a ball pass whose end state is a value of the map. If a mode decays slowly, speeds are
+// chosen for the start of the next ball pass, during which the fast modes settle; that ball pass is
+// not a value of the map.
 void OrbitSearch::judge(const OrbitBalls &balls, const std::vector<double> &end,
                         const SettlingChanges &changes, double settled)
 {
@@ -53,7 +53,8 @@ void OrbitSearch::judge(const OrbitBalls &balls, const std::vector<double> &end,
     return;
   }
   const double keeps = map_.contraction(), progress = std::max(close, next.residual);
-  if (keeps < 0.0) map_.forget();    // the last jump went beyond the orbit, so drop older values
+  if (keeps < 0.0) map_.forget();    // the last jump overshot the orbit, so older values are
+                                     // dropped
   const bool jumps =
       (next.residual > close || next.distance > settled) && keeps > slow && now_.jumps < most_jumps;
   if (progress < less * now_.best || jumps) {

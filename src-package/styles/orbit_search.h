@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // `settle orbit` of run_bearing: finds the steady state of a bearing under constant load and speed.
-// In this state, every ball has after a ball pass the state that its neighbour had before it.
+// In this state, every ball has, at the end of a ball pass, the state that its neighbour had at the
+// start.
 //
-// The unknowns are the duration of a ball pass and, by slot, the orbital speeds and spins of the
-// balls (orbit_balls.h), which decay over many ball passes. All other quantities follow within a
-// ball pass. Each ball pass is a value of the map, and FixedPoint (core/numbers/fixed_point.h)
-// chooses the start of the next ball pass.
+// The unknowns are the duration of a ball pass and, for each slot, the orbital speed and the spin
+// of the ball (orbit_balls.h), whose deviations decay over many ball passes. All other quantities
+// adapt within a ball pass. Each ball pass yields a value of the map, and FixedPoint
+// (core/numbers/fixed_point.h) chooses the start of the next ball pass.
 #ifndef BEARING_ORBIT_SEARCH_H
 #define BEARING_ORBIT_SEARCH_H
 
@@ -27,8 +28,8 @@ class OrbitSearch {
   struct State {
     double stage = OFF;
     double passes = 0.0;    // number of ball passes so far
-    // Change of orbital speeds and spins in the last ball pass, relative and weighted by load, and
-    // the estimated sum of all later changes.
+    // Relative change of orbital speeds and spins in the last ball pass, weighted by load, and the
+    // estimated sum of all later changes.
     double residual = HUGE_VAL, distance = HUGE_VAL;
     double best = HUGE_VAL, best_pass = 0.0;    // smallest residual; last ball pass with progress
     double values = 0.0;     // number of successive values of the map up to the last ball pass
@@ -43,10 +44,10 @@ class OrbitSearch {
   bool found() const { return now_.stage == FOUND; }
 
   // Both functions are called at the end of a step and set the speeds of the balls: `begin` before
-  // the first ball pass and `end_pass` after each ball pass. Collective. The orbit has been found
-  // if torque, loads and cage speed change by at most a fifth of `settled` from one ball pass to
-  // the next, and the speeds and axes of the balls change by at most `settled` in all further ball
-  // passes together.
+  // the first ball pass and `end_pass` after each ball pass. Both must be called on all ranks. The
+  // orbit has been found if torque, loads and cage speed change by at most a fifth of `settled`
+  // from one ball pass to the next, and the speeds and axes of the balls change by at most
+  // `settled` in all further ball passes together.
   void begin(LAMMPS_NS::LAMMPS *);
   void end_pass(LAMMPS_NS::LAMMPS *, const SettlingChanges &, double settled);
 
@@ -59,7 +60,7 @@ class OrbitSearch {
              double settled);
 
   State now_;
-  std::vector<double> start_;    // values at the start of the current ball pass, by slot
+  std::vector<double> start_;    // values at the start of the current ball pass, for each slot
   raceway::FixedPoint map_;
 };
 

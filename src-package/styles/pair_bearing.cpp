@@ -91,7 +91,8 @@ void PairBearing::settings(int narg, char **arg)
   PairBearingHertz::settings(static_cast<int>(words.size()), words.data());
 }
 
-// Returns the data of an oil at the temperature t (C); for a dry contact, only the word `film`.
+// Returns the data of an oil at the temperature t (C). For dry contacts, they contain only the word
+// `film`.
 bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string &name, double t)
 {
   if (name == "dry") return {{"film", "dry"}};
@@ -162,8 +163,8 @@ void PairBearing::coeff(int narg, char **arg)
   coeffs_.push_back(own);
 }
 
-// Passes to the base class the commands for both raceways and the cage, or for balls that may touch
-// each other.
+// Passes commands to the base class for both raceways and for the cage or, if there is none, for
+// balls that may touch each other.
 void PairBearing::resolve(Coeff &of)
 {
   Arguments args(lmp, "pair_coeff * * " + of.bearing, {});
@@ -178,7 +179,7 @@ void PairBearing::resolve(Coeff &of)
       0.5 * (b.number("inner_radius") + b.number("outer_radius")), 0.5 * b.number("ball_diameter"),
       b.number_or("bore_diameter", 0.0), b.number_or("outside_diameter", 0.0),
       b.number_or("contact_angle", 0.0)};
-  // twelve digits, the accuracy of a speed that the deck has converted from rpm to rad/s
+  // twelve digits are the accuracy of a speed that the deck has converted from rpm to rad/s
   char rpm[32];
   snprintf(rpm, sizeof rpm, "%.12g", std::fabs(of.speed) * 30.0 / M_PI);
   lubricated.rpm = strtod(rpm, nullptr);
@@ -290,8 +291,8 @@ double PairBearing::shoulder(int ball_type, raceway::Side side) const
   return b ? b->number_or(inner ? "inner_shoulder_diameter" : "outer_shoulder_diameter", 0.0) : 0.0;
 }
 
-// The restart file stores the commands with the numbers from the data files, because these files
-// may change.
+// The commands are stored in the restart file with the numbers from the data files, because these
+// files may change.
 void PairBearing::write_restart(FILE *fp)
 {
   const Kept kept = {cage_share_, coefficients().lubricated(), estimate_};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// pair_style bearing: contacts of bearings that are given by name, oil and models, with the laws of
-// bearing/ehd or, if dry, of bearing/hertz.
+// pair_style bearing: contacts in bearings that are specified by their names, an oil and models.
+// The laws are those of bearing/ehd or, for dry contacts, of bearing/hertz.
 #ifdef PAIR_CLASS
 PairStyle(bearing,PairBearing)
 #else
@@ -27,29 +27,29 @@ class PairBearing : public PairBearingHertz {
   double shoulder(int ball_type, raceway::Side) const override;
   bool dry_by_choice() const override { return !coefficients().lubricated(); }
 
-  // Sets the relative speed (rad/s) of the rings of a named bearing, which determines the
-  // starvation of the oil. Only the first speed set for a bearing is used.
+  // Sets the relative speed (rad/s) of the rings of a named bearing, which determines oil
+  // starvation. Only the first speed that is set for a bearing is used.
   void set_speed(const std::string &bearing, double);
   // Returns a property of the oil of a bearing at its temperature as text, or an empty string if
   // the oil lacks this property.
   std::string oil_datum(const std::string &bearing, const std::string &name) const;
   // Returns the fraction of the space around the bearing's balls that is filled with oil. It is 0
-  // without oil, or with models without drag.
+  // if there is no oil or if the models do not include drag.
   double oil_share(const std::string &bearing) const;
   std::string oil() const;    // oil of all bearings; empty if their oils differ
-  // Returns the oil of a named bearing and the oil's temperature (C), or an empty string and NaN
-  // without a pair_coeff.
+  // Returns the oil of a named bearing and the oil's temperature (C), or an empty string and NaN if
+  // the bearing has no pair_coeff.
   std::pair<std::string, double> oil_of(const std::string &bearing) const;
-  // Returns true if data of the oil of a named bearing depend on temperature.
+  // Returns true if the oil data of a named bearing depend on temperature.
   bool oil_follows(const std::string &bearing) const;
-  // Sets the temperature (C) of a bearing's oil during a run. The raceways then have the dimensions
-  // of the cold parts.
+  // Sets the temperature (C) of a bearing's oil during a run. Afterwards, the raceways have the
+  // dimensions of the cold parts.
   void set_oil_temperature(const bearing::Arguments &, const std::string &bearing, double);
   const std::string &models() const { return choice_.models; }
   double temperature() const { return temperature_; }
   const std::vector<std::string> &given() const { return given_; }    // oil data as NAME=VALUE
-  // Constants of the oil that the models use although its file does not contain them, as
-  // NAME=VALUE,...
+  // Returns those constants of the oil that are used by the models although they are missing in its
+  // file, as NAME=VALUE,...
   const std::string &assumed() const { return assumed_; }
 
  private:
@@ -61,7 +61,7 @@ class PairBearing : public PairBearingHertz {
     std::string law;           // further keywords of the raceways
     bool printed = false;      // `spheres printed`, applied to balls and cage balls
     double speed = 0.0;        // rad/s
-    size_t first = 0;          // index of its first line in commands()
+    size_t first = 0;          // index of the first line of this pair_coeff in commands()
     double oil_share = 0.0;    // fraction of the space around the balls that is filled with oil
   };
   struct Kept {    // stored in restart files before the commands
@@ -78,7 +78,7 @@ class PairBearing : public PairBearingHertz {
   bearing::ModelChoice choice_;
   std::string own_model_;    // keywords from a file of models
   std::vector<std::string> given_;
-  std::string noted_;    // note that was printed about data set by the deck
+  std::string noted_;    // note about data set by the deck that has been printed
   std::string assumed_;
   std::vector<Coeff> coeffs_;
   bool replays_ = false;    // true while the commands of a restart file are repeated

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The step of the pair style, which fills the contact table and adds forces.
+// The step of the pair style: fills the contact table and adds the forces.
 #include "pair_bearing_hertz.h"
 
 #include "../core/laws/damped_hertz.h"
@@ -12,7 +12,7 @@ using bearing::SphereContact;
 using bearing::text;
 
 // Overlap on the far side of a groove above which the run stops with an error, as a fraction of r_c
-// - R_b. Balls may touch this side lightly before they have settled.
+// - R_b. Before they have settled, balls may touch this side lightly.
 static constexpr double far_touch = 1e-2;
 
 void PairBearingHertz::compute(int eflag, int vflag)
@@ -47,7 +47,7 @@ void PairBearingHertz::add_forces(const RacewayContact &c, const ContactForces &
 void PairBearingHertz::tally(const RacewayContact &c, const ContactForces &forces, double energy)
 {
   const Vec3 d = Vec3::from(atom->x[c.i_ball]) - evaluator_.groove_of(c).x;
-  // only this rank computes the pair, so the pair counts in full (newton = 1)
+  // the pair is computed only on this rank, so it counts in full (newton = 1)
   ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1, eflag_either ? energy : 0.0, 0.0,
                forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
 }
@@ -91,8 +91,8 @@ static std::string place_of(const RacewayContact &c, bigint step)
          " at step " + std::to_string(step);
 }
 
-// Stops with an error because a ball is on the far side of a groove: the torus of the groove
-// extends beyond the shoulders, where a ring has no surface.
+// Stops with an error because a ball touches the far side of a groove. The torus of the groove
+// extends beyond the shoulders, but a ring has no surface there.
 void PairBearingHertz::far_side(const RacewayContact &c)
 {
   BRG_ONE(place_of(c, update->ntimestep) + ": force " + text(c.state.normal) +

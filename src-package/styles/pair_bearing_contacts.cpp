@@ -69,7 +69,7 @@ void PairBearingHertz::rebuild_contacts()
   ++builds_;
 }
 
-// Adds those grooves of a ring that a ball may touch.
+// Adds the grooves of a ring that a ball may touch.
 void PairBearingHertz::add_grooves(int i_ball, int i_ring)
 {
   RacewayContact c;
@@ -82,7 +82,7 @@ void PairBearingHertz::add_grooves(int i_ball, int i_ring)
   for (int k = 0; (c.raceway = coefficients_.raceway(atom->type[i_ball], atom->type[i_ring], k));
        ++k) {
     const Groove &groove = c.raceway->groove;
-    // a ball of another bearing is not in this groove
+    // balls of another bearing are not in this groove
     if (!(locate(d - e * groove.offset, e, c.raceway->centre_circle).s < groove.groove_radius))
       continue;
     if (profiles_.any()) {

@@ -53,7 +53,7 @@ void PairBearingHertz::allocate()
   allocated = 1;
   memory->create(setflag, n, n, "pair:setflag");
   memory->create(cutsq, n, n, "pair:cutsq");
-  // types that no pair_coeff names do not interact, but their coefficients count as set
+  // types that do not appear in any pair_coeff do not interact, but their coefficients count as set
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       setflag[i][j] = 1;
@@ -119,22 +119,23 @@ void PairBearingHertz::init_style()
   for (int k = 0; k < modify->nfix; ++k)
     if (dynamic_cast<bearing::InstantSource *>(modify->fix[k]))
       implicit_bits_ |= modify->fix[k]->groupbit;
-  // the fixes that follow contacts and the fixes bearing/capacitance set these again
+  // these are set again by the fixes that change the contact law and by the fixes
+  // bearing/capacitance
   followers_.clear();
   capacitors_ = gaps_ = false;
   validity_.forget_shoulders();
   check_ghosts();
   check_types(sizes.count);
   check_rails();
-  profiles_.clear();    // the fixes bearing/profile set these again
+  profiles_.clear();    // these are set again by the fixes bearing/profile
   atoms_ = count_atoms();
   put_state_last();
   rebuild_ = true;
 }
 
 // The state fix must be the last fix, because it restores the forces of the previous step after the
-// set-up of every other fix. If fixes were defined after the previous run, the state fix is moved
-// to the end again, together with its state.
+// set-up of every other fix. If fixes have been defined since the previous run, the state fix is
+// moved to the end again, together with its state.
 void PairBearingHertz::put_state_last()
 {
   const int at = modify->find_fix(FixBearingState::fixed_id);
@@ -171,7 +172,7 @@ bearing::TypeSizes PairBearingHertz::type_sizes() const
   return s;
 }
 
-// The hosts use the larger of the deck's ghost cutoff and the cutoff of the pair styles, so a
+// The hosts use the larger of the ghost cutoff in the deck and the cutoff of the pair styles, so a
 // smaller cutoff in the deck is probably a mistake.
 void PairBearingHertz::check_ghosts()
 {
@@ -188,7 +189,8 @@ void PairBearingHertz::expect_sphere(int ball_type, int cage_type)
   cage_types_.insert(std::minmax(ball_type, cage_type));
 }
 
-// Types that no pair_coeff names do not interact, which is hardly intended. Warns once per type.
+// Types that do not appear in any pair_coeff do not interact, which is hardly intended. Warns once
+// per type.
 void PairBearingHertz::check_types(const std::vector<int> &count)
 {
   for (const auto &c : cage_types_) {
@@ -209,7 +211,8 @@ void PairBearingHertz::check_types(const std::vector<int> &count)
              ": its atoms pass through everything");
 }
 
-// Nothing holds cage balls without rails. Warns whenever the number of such balls has changed.
+// Cage balls that are not on rails are not held by anything. Warns whenever the number of such
+// balls has changed.
 void PairBearingHertz::check_rails()
 {
   int railed = 0;
@@ -238,8 +241,8 @@ bigint PairBearingHertz::count_atoms() const
   return all;
 }
 
-// Stops with an error if atoms are missing. The hosts delete an atom that leaves the box, LIGGGHTS
-// without a message.
+// Stops with an error if atoms are missing. The hosts delete atoms that leave the box, and LIGGGHTS
+// does so without a message.
 void PairBearingHertz::check_atoms() const
 {
   const bigint now = count_atoms();

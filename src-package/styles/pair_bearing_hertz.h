@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// pair_style bearing/hertz: dry elliptical Hertz contacts of balls in the grooves of rings,
-// friction, and frictionless sphere contacts of the cage. It owns the contact table. bearing/ehd
-// adds the film.
+// pair_style bearing/hertz: dry elliptical Hertz contacts with friction between balls and the
+// grooves of rings, and frictionless contacts between spheres for the cage. It owns the contact
+// table. The film is added by bearing/ehd.
 #ifdef PAIR_CLASS
 PairStyle(bearing/hertz,PairBearingHertz)
 #else
@@ -38,7 +38,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   // Used by the fixes, computes and commands of this package.
   const bearing::PairCoefficients &coefficients() const { return coefficients_; }
   bearing::PairCoefficients &coefficients() { return coefficients_; }
-  bearing::SurfaceProfiles &profiles() { return profiles_; }    // fixes set them in every init()
+  bearing::SurfaceProfiles &profiles() { return profiles_; }    // set by fixes in every init()
   const bearing::ContactTable &table() const { return table_; }
   // Pairs of grains that may touch, as local indices for fix bearing/grains. They are valid until
   // the table is built again.
@@ -47,8 +47,8 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::RingSum &ring_sum() { return ring_sum_; }
   FixBearingState *state() const { return state_; }
   raceway::Vec3 axis() const override { return coefficients_.axis(); }
-  // Called when a bearing with these types of balls and cage balls has been created, because the
-  // types need a pair_coeff ... sphere.
+  // Called after a bearing with the given types of balls and cage balls has been created, because
+  // these types need a pair_coeff ... sphere.
   void expect_sphere(int ball_type, int cage_type);
   int table_build() const { return builds_; }     // number of times that local indices have changed
   bigint table_fill() const { return fills_; }    // number of times that the table has been filled
@@ -69,23 +69,23 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   // Called by fix bearing/capacitance in every init(), for the balls of a group.
   void add_capacitor(int groupbit, const raceway::CapacitorModel &);
 
-  // Returns true for an atom in the group of a fix bearing/implicit, which advances the contact
-  // states of the atom.
+  // Returns true if the atom is in the group of a fix bearing/implicit, which then advances its
+  // contact states.
   bool is_implicit(int i) const { return atom->mask[i] & implicit_bits_; }
   // Defaults of fix bearing/implicit: the tolerance relative to the largest overlap, the ratio of
-  // the tolerance of cage balls to that of other bodies, and whether error estimates control the
-  // step.
+  // the tolerance of cage balls to that of other bodies, and whether the step is controlled by
+  // error estimates.
   virtual double relative_tolerance() const { return 0.0; }
   virtual double cage_tolerance_share() const { return 1.0; }
   virtual bool estimates_errors() const { return false; }
-  // Data of the bearing and the oil of a ball type, if the pair style has them: relative
-  // permittivity, and shoulder diameter (m) of the inner or outer ring. Unknown values are 0.
+  // Data of the bearing and the oil for a ball type, if the pair style knows them: the relative
+  // permittivity, and the shoulder diameter (m) of the inner or outer ring. Unknown values are 0.
   virtual double permittivity(int) const { return 0.0; }
   virtual double shoulder(int, raceway::Side) const { return 0.0; }
-  // Returns true if a word of the deck selected dry contacts. The deck may then still contain fixes
-  // for films.
+  // Returns true if dry contacts have been selected by a word in the deck. In this case, the deck
+  // may still contain fixes for films.
   virtual bool dry_by_choice() const { return false; }
-  // Words of the pair_style command and of every pair_coeff command of the deck.
+  // Returns the words of the pair_style command and of all pair_coeff commands in the deck.
   const bearing::Commands &commands() const { return commands_; }
 
   // Returns the pair style of the run. Stops with an error that names `asked_by` if it is not a
@@ -95,7 +95,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
  protected:
   // Selects contacts with a film or dry contacts. Must be called before settings and coefficients.
   void set_film(bool film) { coefficients_ = bearing::PairCoefficients(film); }
-  // Moves the last command to the position of command k, if there is a command k.
+  // Moves the last command to the position of command k, provided that there is a command k.
   void move_last_command(size_t k);
 
  private:
@@ -120,7 +120,8 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::SimulatedTime time_;
   bearing::PairCoefficients coefficients_;
   bearing::SurfaceProfiles profiles_;
-  bearing::Commands commands_;                  // commands so far, which a restart repeats
+  bearing::Commands commands_;                  // commands read so far, which are repeated after a
+                                                // restart
   std::set<std::pair<int, int>> cage_types_;    // types of created bearings, smaller type first
   std::vector<bearing::LawFollower *> followers_;
   std::set<int> silent_types_;    // types without pair_coeff for which a warning was printed
@@ -136,9 +137,9 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bool rebuild_ = true;
   int builds_ = 0;
   bigint fills_ = 0;
-  bool capacitors_ = false;    // whether there is a fix bearing/capacitance
-  bool gaps_ = false;          // whether a fix bearing/capacitance needs surroundings
-  bool warned_ = false;        // whether the warning that the step is too long has been printed
+  bool capacitors_ = false;    // true if there is a fix bearing/capacitance
+  bool gaps_ = false;          // true if a fix bearing/capacitance needs surroundings
+  bool warned_ = false;        // true if the warning that the step is too large has been printed
 };
 
 }    // namespace LAMMPS_NS

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Hooks of the pair style that fix bearing/state calls: claims in the sums of rings, and checks of
-// the step and of the validity ranges of the laws.
+// Hooks of the pair style that are called by fix bearing/state. They renew the claims in the sums
+// over rings, and check the step and the validity ranges of the laws.
 #include "pair_bearing_hertz.h"
 
 #include "../contacts/step_check.h"
@@ -11,7 +11,7 @@ using bearing::text;
 
 static constexpr int steps_between_checks = 1000;    // interval between the checks of the step
 
-// Makes rails (pre_force) and contacts (compute) renew their claims in the sums of the rings.
+// Causes rails (pre_force) and contacts (compute) to renew their claims in the sums over the rings.
 void PairBearingHertz::indices_changed()
 {
   ring_sum_.reset();
@@ -41,8 +41,7 @@ void PairBearingHertz::add_capacitor(int groupbit, const raceway::CapacitorModel
   validity_.add_shoulders(groupbit, model);
 }
 
-// Checks the step of velocity Verlet. Fix bearing/implicit chooses its own substeps, which need no
-// check.
+// Checks the step of velocity Verlet. The substeps of fix bearing/implicit need no such check.
 void PairBearingHertz::check_step()
 {
   if (implicit_bits_) return;

@@ -42,7 +42,7 @@ static void add_bearing(const RecordLayout &layout, Attributes &list)
   };
   for (int k = 0; k < of_kind::N; ++k) {
     const raceway::Column &c = of_kind::list[k];
-    // outer radius of a bearing without clearance, because the clearance is a separate value
+    // the outer radius is stored for zero clearance, because the clearance is a separate value
     const double outside = k == of_kind::OUTER_RADIUS ? 0.5 * of[of_kind::CLEARANCE] : 0.0;
     add(c.name + std::string(suffix.at(c.unit)), of[k] - outside);
   }
@@ -53,7 +53,7 @@ static void add_bearing(const RecordLayout &layout, Attributes &list)
 
 std::string flaws_of(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayout &layout)
 {
-  std::map<double, std::string> of;    // flaws by ring
+  std::map<double, std::string> of;    // flaws of each ring
   for (const FixBearingProfile *f : fixes_of<FixBearingProfile>(lmp)) {
     if (f->of_balls() || !f->departs()) continue;
     for (const FixBearingProfile::FlawedRing &r : f->rings(pair)) {
@@ -98,7 +98,7 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
     for (const std::string &w : words) commands += " " + w;
   }
   list.push_back(NetcdfHeader::attribute("pair_commands", commands));
-  std::string surroundings;    // surroundings of contacts, as used by the columns
+  std::string surroundings;    // surroundings of contacts, as they are used in the columns
   for (const FixBearingCapacitance *f : capacitances_of(lmp))
     if (f->model().surrounded()) surroundings += (surroundings.empty() ? "" : "\n") + f->said();
   if (!surroundings.empty())
@@ -108,7 +108,7 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
   return list;
 }
 
-// Returns a YAML scalar for text that a file name may make ambiguous.
+// Returns text as a YAML scalar. It is quoted if a file name in it would make it ambiguous.
 static std::string scalar(const std::string &words)
 {
   if (words.find(": ") == std::string::npos && words.find(" #") == std::string::npos) return words;

@@ -19,17 +19,17 @@ struct RunTimes {
   double sample, start;    // s, time between samples and time of the first sample
 };
 
-// Returns, for every profile of a ring of the record, the ring's tag and the words of its fix
-// bearing/profile. Entries are separated by "; ". Collective.
+// Returns the tag of the ring and the words of its fix bearing/profile for every profile of a ring
+// in the record. Entries are separated by "; ". Must be called on all ranks.
 std::string flaws_of(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz &, const RecordLayout &);
 
-// Returns the notes of the deck, the data of the bearing if there is only one, the host, the
-// commands of the pair style and the flaws.
+// Returns the notes given in the deck, the data of the bearing if there is only one, the name of
+// the host, the commands of the pair style, and the flaws.
 NetcdfHeader::Attributes record_settings(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz &,
                                          const RecordLayout &,
                                          const NetcdfHeader::Attributes &notes, const RunTimes &);
 
-// Writes these attributes and the numbers in `more` to run.yaml in the folder. Returns an error
+// Writes the given attributes and the numbers in `more` to run.yaml in the folder. Returns an error
 // message, or an empty string on success.
 std::string write_run_yaml(const std::string &folder, const NetcdfHeader::Attributes &,
                            const NetcdfHeader::Attributes &more);

@@ -15,7 +15,7 @@ namespace bearing {
 
 void claim_result_folder(LAMMPS *lmp, const Arguments &args, const std::string &folder)
 {
-  // characters that have a meaning in the host's commands
+  // these characters have a meaning in the host's commands
   if (folder.find_first_of("%*\"'$&#") != std::string::npos)
     args.fail("the folder's name '" + folder + "' may not contain any of % * \" ' $ & #");
   FolderClaim claim;
@@ -31,7 +31,8 @@ void claim_result_folder(LAMMPS *lmp, const Arguments &args, const std::string &
   if (!claim.complaint.empty()) args.fail(claim.complaint);
 }
 
-// Restart files of LAMMPS begin with these letters, unlike restart files of LIGGGHTS.
+// Returns true if the restart file was written by this host. Those of LAMMPS begin with certain
+// letters, unlike those of LIGGGHTS.
 static bool is_of_this_host(const std::string &file)
 {
   char start[7] = "";

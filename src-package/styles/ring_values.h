@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Motion of a ring and the loads that balls and cage exert on it.
+// Motion of a ring and the loads that the balls and the cage exert on it.
 #ifndef BEARING_RING_VALUES_H
 #define BEARING_RING_VALUES_H
 
@@ -17,7 +17,7 @@ namespace bearing {
 struct RingView {
   double tag;
   const raceway::RingPlace &place;
-  double spin;    // rad/s, about its own axis
+  double spin;    // rad/s, spin about the axis of the ring
   raceway::Vec3 force, moment, acceleration;
 };
 

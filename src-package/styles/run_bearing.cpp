@@ -63,7 +63,7 @@ void RunBearing::read(Arguments &args)
   if (to.passes == 0.0) args.fail("'passes P' is missing (ball passes to measure)");
 }
 
-// Returns the settings that a continued run must share with the previous one.
+// Returns the settings that must be the same in a continued run as in the previous one.
 std::string RunBearing::words() const
 {
   const Settings &s = settings_;
@@ -100,11 +100,11 @@ void RunBearing::command(int narg, char **arg)
 
 bool RunBearing::implicit() const { return !bearing::fixes_of<FixBearingImplicit>(lmp).empty(); }
 
-// ---- The plan: ball pass, samples and steps. Numbers are rounded in the same way as by a deck's
-// formulas.
+// ---- The plan: ball pass, samples and steps. Numbers are rounded in the same way as by formulas
+// in a deck.
 
-// Takes default values from the scene: the sampling rate of fix bearing/vibration, and the nominal
-// contact angle of named bearings.
+// Takes the default values from the scene: the sampling rate of fix bearing/vibration, and the
+// nominal contact angle of named bearings.
 void RunBearing::take_usual()
 {
   if (settings_.rate == 0.0)
@@ -124,7 +124,7 @@ void RunBearing::plan()
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp = std::max(ramp, f->ramp());
   begin_search();
-  // a whole ball pass with adaptive steps precedes the even steps
+  // a whole ball pass with adaptive steps precedes the steps of constant length
   const double before = automatic() ? (implicit() ? 0.0 : 1.0) : settings_.settle;
   const double least = fix_->orbit().runs() ? 1e-3 : 1e-2;    // s
   now().begin = written(before * now().pass + std::max(least, ramp));
@@ -134,8 +134,8 @@ void RunBearing::plan()
 }
 
 // Sets the number of samples per ball pass requested by the records, and the number of samples per
-// host step. The latter is ten, five, two or one, such that a ball pass has a whole number of steps
-// and at least twenty.
+// host step. The latter is ten, five, two or one, such that the number of steps in a ball pass is
+// an integer and at least twenty.
 void RunBearing::plan_samples()
 {
   double samples = 0.0, asked = 0.0;
@@ -157,8 +157,8 @@ void RunBearing::plan_samples()
   now().within = asked != 0.0 ? asked : chosen;
 }
 
-// Sets the step of the implicit integrator close to the requested step, such that it is a whole
-// number of samples or an integer fraction of one sample.
+// Sets the step of the implicit integrator to a value close to the requested step, such that it
+// spans a whole number of samples or an integer fraction of one sample.
 void RunBearing::plan_steps()
 {
   fix_step(settings_.step == 0.0 ? sampled_length() : settings_.step);
@@ -173,8 +173,8 @@ double RunBearing::sampled_length()
   return implicit() ? written(length) : length;
 }
 
-// Sets a step close to `wanted`, such that a sample or `within` samples take a whole number of
-// steps.
+// Sets the step to a value close to `wanted`, such that a sample or `within` samples take a whole
+// number of steps.
 void RunBearing::fix_step(double wanted)
 {
   const double largest = sampled_length();
@@ -220,8 +220,8 @@ void RunBearing::settle()
   choose_steps();
   warm_up();
   if (automatic()) settle_until_still();
-  // with even steps, the time follows from the number of steps, so that a stopped run has the same
-  // rounding errors
+  // with steps of constant length, the time follows from the number of steps, so that rounding
+  // errors are the same in a run that has been stopped
   const bool even = implicit() && !settings_.orbit;
   // if a run was stopped after the last step of settling, LIGGGHTS rejects new fixes after
   // reset_timestep until the data of the restart file are released, which happens here
@@ -231,15 +231,15 @@ void RunBearing::settle()
   now().measures = 1.0;
 }
 
-// Settling and measurement each count steps from 0, but the simulated time is not reset.
+// In both settling and measurement, steps are counted from 0, but the simulated time is not reset.
 void RunBearing::begin_at_step_0(double time)
 {
   input->one("reset_timestep 0");
   bearing::SimulatedTime::set(*update, time);
 }
 
-// For velocity Verlet, settles with steps at a fraction of the stability limit, and then sets the
-// step of the measurement from the smallest limit found.
+// With velocity Verlet, the bearings settle with steps that are a fraction of the stability limit.
+// The step of the measurement is then derived from the smallest limit found.
 void RunBearing::settle_adaptively()
 {
   constexpr double chunk = 5000.0;    // steps
@@ -274,7 +274,7 @@ void RunBearing::warm_up()
   if (still()) return;
   set_step(now().step_length);
   const double steps = steps_a_pass();
-  while (!still()) {    // in whole ball passes, even if a run was stopped within one
+  while (!still()) {    // in whole ball passes, even if the run was stopped during one
     const double passes =
         std::floor((static_cast<double>(update->ntimestep) - now().begin_steps) / steps) + 1.0;
     input->one(("run " + digits(now().begin_steps + passes * steps) + " upto post no").c_str());
@@ -341,8 +341,8 @@ void RunBearing::measure()
   if (!implicit()) input->one(("unfix " + step_id).c_str());
 }
 
-// Stops with an error unless the contacts of a ring carry its load on average. Otherwise the run
-// had not settled and its results are meaningless.
+// Stops with an error if the contacts of a ring do not carry its load on average. In this case, the
+// bearing had not settled, and the results are meaningless.
 void RunBearing::check_balance() const
 {
   for (FixBearingCheckpoint *f : bearing::fixes_of<FixBearingCheckpoint>(lmp))

@@ -14,9 +14,9 @@ CommandStyle(run_bearing,RunBearing)
 namespace LAMMPS_NS {
 
 // run_bearing settle N|auto|orbit passes P [step DT] [safety F] [rate HZ] [angle A] [settled S]
-// [limit L]: chooses the step; settles for N ball passes, or until little change remains, or until
-// a ball pass ends in the state in which it began (orbit_search.h); then measures P ball passes
-// with the fixes that wait for the measurement (run_phase.h).
+// [limit L]: chooses the step; settles for N ball passes, until little change remains, or until a
+// ball pass ends in the state in which it began (orbit_search.h); and then measures for P ball
+// passes with the fixes that wait for the measurement (run_phase.h).
 class RunBearing : public bearing::CommandBase {
  public:
   explicit RunBearing(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
@@ -27,12 +27,14 @@ class RunBearing : public bearing::CommandBase {
     double settle = 1.0, passes = 0.0;    // in ball passes
     bool automatic = false;               // settle until little change remains
     bool orbit = false;                   // settle on the orbit if there is one
-    double settled = 1e-2;                // remaining relative change that counts as settled
-    double limit = 100.0;                 // maximum number of ball passes of settling
+    double settled = 1e-2;                // remaining relative change below which the bearing
+                                          // counts as settled
+    double limit = 100.0;                 // maximum number of ball passes while settling
     double step = 0.0;                    // s; 0 to choose the step automatically
     double safety = 0.3;                  // fraction of the stability limit
     double rate = 0.0;                    // Hz, sampling rate; 0 to use that of the records
-    double angle = NAN;                   // degrees, contact angle; NAN: from ball positions
+    double angle = NAN;                   // degrees, contact angle; NAN: computed from the
+                                          // positions of the balls
   };
   void read(class bearing::Arguments &);
   std::string words() const;

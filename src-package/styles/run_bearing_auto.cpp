@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // `settle auto` of run_bearing: settles ball pass by ball pass until the remaining changes are
-// small (core/figures/settling_rest.h). Implicit steps are coarse at first, whereas the last ball
-// passes use the steps of the deck.
+// small (core/figures/settling_rest.h). Implicit steps are coarse at first, but in the last ball
+// passes they are those specified in the deck.
 #include "../core/settings/arguments.h"
 #include "../core/settings/written.h"
 #include "fix_bearing_heat.h"
@@ -17,9 +17,9 @@ using bearing::text;
 // Smallest number of ball passes in which a drift can be distinguished from noise.
 static constexpr double first_passes = 3.0;
 
-// Plans coarse steps while the loads are applied and, if coarse steps save evaluations, also
-// afterwards. With fix bearing/heat, later steps are not coarse, because the temperatures follow
-// the losses, which require the steps of the deck.
+// Plans coarse steps for the time while the loads are applied and, if coarse steps save
+// evaluations, also for the time afterwards. With fix bearing/heat, the later steps are not coarse,
+// because the temperatures depend on the losses, which require the steps specified in the deck.
 void RunBearing::plan_coarse()
 {
   now().coarse = now().may_be_coarse = 0.0;
@@ -54,10 +54,10 @@ void RunBearing::settle_until_still()
              pocket_fall() + "; required " + text(settings_.settled));
 }
 
-// Chooses the steps of the next ball pass, or of the current one when a stopped run continues; they
-// are coarse while changes remain. The state that is reached with coarse steps may differ slightly
-// from the state reached with the steps of the deck. If the latter show a remaining change, coarse
-// steps are resumed.
+// Chooses the steps for the next ball pass or, when a stopped run continues, for the current one.
+// They are coarse as long as changes remain. The state that is reached with coarse steps may differ
+// slightly from the state reached with the steps of the deck. If a change still remains with the
+// latter, coarse steps are resumed.
 void RunBearing::plan_pass()
 {
   const bool last = now().passes + 1.0 >= settings_.limit;
@@ -77,9 +77,9 @@ bool RunBearing::still()
   return fix_->orbit().found() || (now().coarse == 0.0 && rests_are_small());
 }
 
-// Returns true if the remaining changes are small, but not before half a turn of the cage: a ball
-// that is in the loaded arc at the start keeps its position in its pocket until it leaves the arc,
-// at most half a turn of the cage later.
+// Returns true if the remaining changes are small, but not before the cage has made half a turn,
+// because a ball that is initially in the loaded arc keeps its position in its pocket until it
+// leaves the arc, at most half a turn of the cage later.
 bool RunBearing::rests_are_small()
 {
   const double s = settings_.settled;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// `settle orbit` of run_bearing: excludes scenes that cannot have an orbit, and prints messages.
+// `settle orbit` of run_bearing: excludes scenes in which there cannot be an orbit, and prints
+// messages.
 #include "../core/settings/arguments.h"
 #include "ball_pass.h"
 #include "fix_bearing_grains.h"
@@ -15,8 +16,8 @@ using bearing::fixes_of;
 using bearing::print_line;
 using bearing::text;
 
-// Returns the reason why no ball pass of this scene can repeat the previous one, or an empty string
-// if one may.
+// Returns the reason why no ball pass in this scene can repeat the previous one, or an empty string
+// if this is possible.
 std::string RunBearing::why_no_orbit()
 {
   if (!implicit()) return "the steps of velocity Verlet follow its stability limit";

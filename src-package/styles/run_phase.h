@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Fixes that wait while run_bearing settles the bearings, and sample while it measures.
+// Interface of fixes that wait while run_bearing settles the bearings, and take samples while it
+// measures.
 #ifndef BEARING_RUN_PHASE_H
 #define BEARING_RUN_PHASE_H
 
@@ -32,7 +33,7 @@ class WaitsForRun {
   void wait() { waits_ = true; }
   virtual void begin(const Sampling &) = 0;
   // Stops with an error if a run was started by the host's own command, because this fix would
-  // never sample in it.
+  // never take a sample in such a run.
   void refuse_plain_run(LAMMPS_NS::LAMMPS *, const std::string &command) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Continues the simulated time from one run to the next and through restart files, for formulas
-// that contain the host's keyword `time`. Some hosts do not store the time in restart files;
+// Keeps the simulated time continuous from one run to the next and across restarts, for formulas
+// that contain the host's keyword `time`. Some hosts do not store the time in restart files, and
 // reset_timestep sets it to 0 in some hosts and makes it jump in others.
 #ifndef BEARING_SIMULATED_TIME_H
 #define BEARING_SIMULATED_TIME_H
@@ -13,8 +13,8 @@ namespace bearing {
 
 class SimulatedTime {
  public:
-  // Contents of a restart file. The time is `since` s at step `from` and grows by `step_length` s
-  // per step.
+  // Contents of a restart file. The time is `since` s at step `from` and increases by `step_length`
+  // s per step.
   struct State {
     double since, from, step_length, step;    // `step`: the current step
     double now() const { return since + (step - from) * step_length; }
@@ -52,7 +52,8 @@ class SimulatedTime {
 
  private:
   State left_ = {};
-  bool known_ = false, read_ = false;    // read_: from a restart file, with no run since
+  bool known_ = false, read_ = false;    // read_: the time comes from a restart file, and there has
+                                         // been no run since
 };
 
 }    // namespace bearing

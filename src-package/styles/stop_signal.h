@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// SIGTERM, SIGINT and SIGUSR1 request that a run end after a complete step. A file that exceeds the
-// size limit causes an error with a message instead of SIGXFSZ.
+// SIGTERM, SIGINT and SIGUSR1 request that a run end after a complete step. If a file exceeds the
+// size limit, the run stops with an error message instead of being ended by SIGXFSZ.
 #ifndef RACEWAY_STOP_SIGNAL_H
 #define RACEWAY_STOP_SIGNAL_H
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Bearings that share one solver and use it one after another. Such bearings differ only in the
-// tags of their atoms and in the values set per ring, which are loaded together with the state.
+// tags of their atoms and in the values that are set for individual rings, which are loaded
+// together with the state.
 #ifndef RACEWAY_ALIKE_BEARINGS_H
 #define RACEWAY_ALIKE_BEARINGS_H
 

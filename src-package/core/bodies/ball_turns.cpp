@@ -6,7 +6,7 @@
 
 namespace raceway {
 
-// Returns the rotation about the bearing axis by the azimuth of the frame.
+// Returns the rotation about the bearing axis through the azimuth of the frame.
 static Quaternion azimuth(const LaneFrame &f, int lane)
 {
   return Quaternion::by({0.0, 0.0, std::atan2(f.s[lane], f.c[lane])});

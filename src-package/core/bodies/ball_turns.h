@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Orientations of four balls, tracked if at least one of them has a profile: rotations from the
-// ball's own axes to the frame that turns with its azimuth (lane_frame.h). Like all components in
-// that frame, the spin of the ball relative to the frame is constant over a stage, so the rotation
-// is exact.
+// Orientations of four balls, which are tracked if at least one of them has a profile. An
+// orientation is the rotation from the ball's body-fixed axes to the frame that rotates with its
+// azimuth (lane_frame.h). Like all components in that frame, the spin of the ball relative to the
+// frame is constant over a stage, so the rotation is exact.
 #ifndef RACEWAY_BALL_TURNS_H
 #define RACEWAY_BALL_TURNS_H
 
@@ -30,7 +30,8 @@ struct BallTurns {
   void rest() { std::copy(from, from + lanes, now); }    // now = from
   void keep() { std::copy(now, now + lanes, end); }      // saves `now` before it is changed
   void put_back() { std::copy(end, end + lanes, now); }
-  // Sets the orientation at the fraction s of a step of h seconds that ends at `end` with v and w.
+  // Sets the orientation at the fraction s of a step of h seconds that ends at `end` with the
+  // velocities v and w.
   void between(const BodyGroup &, const LaneFrame &end_frame, const Vec3L &v, const Vec3L &w,
                double h, double s);
 
@@ -39,7 +40,7 @@ struct BallTurns {
   {
     return {w.x[lane], w.y[lane], w.z[lane] - v.y[lane] / f.r[lane]};
   }
-  // Converts the directions n, t and w from the frame to the ball's own axes.
+  // Converts the directions n, t and w from the frame to the ball's body-fixed axes.
   static BallView view(const Quaternion &ball, const Vec3 &n, const Vec3 &t, const Vec3 &w)
   {
     const Quaternion back = ball.back();

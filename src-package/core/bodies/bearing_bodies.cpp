@@ -27,7 +27,7 @@ BearingBodies::BearingBodies(const BearingModel &of) : model(of)
   }
 }
 
-// Places balls on the same raceways next to each other, and likewise cage balls on the same rails.
+// Places balls on the same raceways next to each other, and cage balls on the same rails as well.
 void BearingBodies::place()
 {
   using Key = std::vector<std::pair<int, const void *>>;
@@ -183,7 +183,7 @@ void BearingBodies::load(const std::vector<BodyPose> &bodies, const std::vector<
     rings[b.shaft].from =
         shaft_of(rings[first.ring].from, first.at, Deflection(*first.station, b.from));
   }
-  // balls orbit the fixed ring, or the last one if there are several
+  // balls orbit about the fixed ring, or about the last one if there are several
   bool found = false;
   for (const RingBody &r : rings) {
     if (r.empty) continue;

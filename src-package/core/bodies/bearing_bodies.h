@@ -19,9 +19,9 @@ struct alignas(32) RingBody {
   RingProgram program;
   RingPose from, base, now, first, end;
   double gained[RingProgram::N_DOF] = {};
-  // Indexed by degree of freedom; -1: none. `coordinate` belongs to the ring or to its rigid shaft.
-  // `column` (BearingBodies::columns) equals the coordinate, but on a flexible shaft it belongs to
-  // the ring alone.
+  // Both arrays are indexed by degree of freedom; -1: none. `coordinate` belongs to the ring or to
+  // its rigid shaft. `column` (BearingBodies::columns) equals the coordinate, but on a flexible
+  // shaft it belongs to the ring alone.
   int coordinate[RingProgram::N_DOF], column[RingProgram::N_DOF];
   bool loose = false;      // at least one degree of freedom is free
   bool carried = false;    // sits on a shaft
@@ -29,7 +29,7 @@ struct alignas(32) RingBody {
   int holder = -1;         // ring that holds the other end of this ring's supports; -1: ground
   int bend = -1;           // index in BearingBodies::bends if the shaft is flexible
   bool holds = false;      // holds another ring by supports
-  bool empty = false;      // has no raceway, like a housing or a cage
+  bool empty = false;      // has no raceway, as for a housing or a cage
   double pockets = 0.0;    // m, radius of the pocket circle; 0: not a cage
   double at = 0.0;         // m, position of a carried ring relative to the shaft's centre
   double span = 0.0;       // m, for a shaft: distance from its centre to its farthest ring
@@ -57,7 +57,7 @@ class BearingBodies {
   void store(std::vector<BodyPose> &, std::vector<RingPose> &) const;
   void start();                       // starts a step
   void second_base(double beyond);    // base = start, moved by `beyond` times the first stage
-  void accept();                      // the present state becomes the start of the next step
+  void accept();                      // the current state becomes the start of the next step
   void carry();                       // moves carried rings with their shafts
   void add_shafts();                  // adds forces and moments of carried rings to their shafts
   // Calls `act` for each ring and shaft, then for the bending of each flexible shaft.
@@ -66,14 +66,15 @@ class BearingBodies {
     for (RingBody &r : rings) act(r);
     for (ShaftBend &b : bends) act(b);
   }
-  // Computes the forces on the coordinates at the fraction s of the host's step, N or N m, without
-  // the moments that the bending of a shaft exerts on the tilts of that shaft.
+  // Computes the forces on the coordinates at the fraction s of the host's step, in N or N m,
+  // without the moments that the bending of a shaft exerts on the tilts of that shaft.
   void border_forces(double s, std::vector<double> &);
-  void border_loads(double s, std::vector<double> &);    // only the forces of loads and weight
-  // Returns the power of contacts and supports on the driven degrees of freedom of a ring, W.
+  void border_loads(double s, std::vector<double> &);    // only the forces due to loads and weight
+  // Returns the power that contacts and supports transfer to the driven degrees of freedom of a
+  // ring, W.
   double power_on_drives(const RingBody &) const;
-  // Returns the pose on which the supports of a ring act: relative to the ring's holder, if any;
-  // for a flexible shaft, the pose of the shaft's centre.
+  // Returns the pose on which the supports of a ring act. It is relative to the ring's holder if
+  // there is one; for a flexible shaft, it is the pose of the shaft's centre.
   RingPose held(const RingBody &r) const
   {
     if (r.bend >= 0) return bends[r.bend].bent_centre(r.now);
@@ -82,7 +83,7 @@ class BearingBodies {
   // Returns the force (N) of contacts, loads, supports and weight on a ring at the fraction s of
   // the host's step.
   Vec3 force_on(const RingBody &, double s) const;
-  Vec3 moment_on(const RingBody &, double s) const;    // N m, from the same contributions
+  Vec3 moment_on(const RingBody &, double s) const;    // N m, due to the same contributions
   // Adds the force (N) and moment (N m) of the supports by which this ring holds other rings.
   void add_held(const RingBody &, Vec3 *force, Vec3 *moment) const;
 
@@ -125,13 +126,14 @@ class BearingBodies {
   std::vector<int> turns_at;       // indexed by group, -1: none
   std::vector<RailTrack> rail_tracks;
   std::vector<int> pocket_of;     // indexed by cage, then by ball; a ball stays in its pocket
-  int n_contacts = 0;             // number of contact groups, summed over the tracks
+  int n_contacts = 0;             // number of contact groups, summed over all tracks
   std::vector<int> contact_at;    // indexed by groove of the model: lanes * contact group + lane
   std::vector<int> groove_at;     // inverse of contact_at, -1: none
-  std::vector<States> kept;       // indexed by group of contacts, if the law has state variables
+  std::vector<States> kept;       // indexed by group of contacts; filled only if the law has state
+                                  // variables
   std::vector<KeptSlopes> kept_slopes;
   // Entrainment speed (m/s) and cosine of the contact angle, which together with the overlap
-  // determine the elastic energy of a contact; cos_angle < 0 without contact.
+  // determine the elastic energy of a contact; cos_angle < 0 if there is no contact.
   struct EnergyBasis {
     Lane entrainment = {}, cos_angle = all_lanes(-1.0);
   };
@@ -142,16 +144,18 @@ class BearingBodies {
                                             // balance is requested
   std::vector<RingBody> rings;              // rings of the model, followed by one ring per shaft
   std::vector<Carried> on_shafts;
-  // Free degrees of freedom of rings and rigid shafts, then those of flexible shafts, then modes.
+  // Free degrees of freedom of rings and rigid shafts, followed by those of flexible shafts and
+  // then by the modes.
   std::vector<Coordinate> border;
   std::vector<Coupling> couplings;    // due to supports
   std::vector<ShaftBend> bends;
-  // Numbers of ring motions at the contacts. The first `straight` of them are the coordinates
-  // except those of flexible shafts; they are followed by all motions of each ring on a flexible
-  // shaft.
+  // Numbers of ring motions at the contacts. The first `straight` of them are the coordinates,
+  // except for those of flexible shafts. They are followed by all motions of each ring on a
+  // flexible shaft.
   int columns = 0, straight = 0;
-  // Columns that can be nonzero, indexed by group and, with flexible shafts, also by column. They
-  // are all columns or, with flexible shafts, the columns of the group's own bearing.
+  // Columns that can be nonzero, indexed by group and, if there are flexible shafts, also by
+  // column. They are all columns or, if there are flexible shafts, the columns of the bearing to
+  // which the group belongs.
   std::vector<std::vector<int>> columns_of_group, columns_of_column;
   Vec3 centre;           // centre of the rotating frames
   Vec3 gravity;          // m/s^2, acts on all bodies and rings

@@ -91,7 +91,7 @@ void BearingBodies::find_couplings()
       Coupling *by = add(rings[b.shaft], dof);
       if (!by) continue;
       by->after = b.mode + b.size() - 1;
-      if (dof == 2) continue;    // modes do not move along the shaft
+      if (dof == 2) continue;    // modes cause no motion along the shaft
       const int n = b.modes->size(), tilt = RingProgram::TILT;
       const int first = b.mode + (dof == 0 || dof == tilt + 1 ? 0 : n);
       // a tilt about the first axis has the opposite sign of the slope in the second plane

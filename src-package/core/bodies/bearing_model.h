@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Model of one bearing: pairs of bodies that may touch, the program of each ring, and the state. It
-// does not depend on the host: atoms have tags, and the mover of a ring is an index into the
-// caller's list. All other indices refer to bodies and rings. The bearing axis is the third axis;
-// units are SI.
+// Model of one bearing: pairs of bodies that may touch, the program of each ring, and the state.
+// The model does not depend on the host: atoms are identified by tags, and the mover of a ring is
+// an index into a list of the caller. All other indices refer to bodies and rings. The bearing axis
+// is the third axis, and units are SI.
 #ifndef RACEWAY_BEARING_MODEL_H
 #define RACEWAY_BEARING_MODEL_H
 
@@ -31,7 +31,7 @@ struct BearingModel {
     int mover;                     // index in the caller's list, -1: at rest except for a constant
                                    // spin
     std::vector<RingValue> own;    // values set only for this ring
-    bool on_shaft = false;         // moves as one body with all rings of the same mover
+    bool on_shaft = false;         // moves as one body with all other rings of the same mover
     double at = 0.0;               // m, position along that shaft relative to its centre
     Tag held_by = 0;               // tag of the ring to which the supports connect this ring; 0:
                                    // ground
@@ -39,7 +39,7 @@ struct BearingModel {
   };
   struct Shaft {    // rings that move as one body
     int mover;
-    std::vector<int> rings;               // by tag
+    std::vector<int> rings;               // sorted by tag
     const ShaftModes *modes = nullptr;    // only for a flexible shaft
   };
   struct Groove {    // a ball and a raceway that it may touch
@@ -58,9 +58,9 @@ struct BearingModel {
     const std::vector<double> *stiffness;
   };
   struct Cage {        // a one-piece cage
-    int ring, land;    // land: ring that guides the cage, -1: none
+    int ring, land;    // land: ring that guides the cage; -1: none
     const CageRing *of;
-    std::vector<int> balls;    // bodies, by tag
+    std::vector<int> balls;    // bodies, sorted by tag
   };
   std::vector<Body> bodies;       // rolling balls first, then cage balls, both sorted by tag
   std::vector<Ring> rings;        // sorted by tag
@@ -76,7 +76,7 @@ struct BearingModel {
 
 struct BodyPose {
   Vec3 x, v, w;
-  Quaternion turn;    // rotation from the ball's own axes, where needed
+  Quaternion turn;    // rotation from the ball's body-fixed axes, where needed
 };
 
 }    // namespace raceway

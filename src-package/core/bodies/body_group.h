@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Motion of four bodies in the implicit step, and their part of the linear system.
+// Motion of four bodies in the implicit step, and the part of the linear system that belongs to
+// them.
 #ifndef RACEWAY_BODY_GROUP_H
 #define RACEWAY_BODY_GROUP_H
 
@@ -17,10 +18,10 @@ struct alignas(32) BodyGroup {
   Lane turned = {};    // rad, rotation from `from` to `base`
   // the linear system: block, right-hand side, columns of the links (bearing_system.h)
   Lane A[36], rhs[6], link[2][6];
-  Lane spring = {}, damper = {};    // N/m, N s/m, sums over contacts; only with dampers_only
+  Lane spring = {}, damper = {};    // sums over contacts, N/m and N s/m; set only with dampers_only
   Lane stiffness = {};              // N/m, stiffness of the stiffest contact with a raceway
   bool spins;
-  bool coupled = false;    // has a coupling to the border
+  bool coupled = false;    // is coupled to the border
   bool linked = false;
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The states of the contacts (core/parts/part.h) depend on the velocities at the end of a stage.
-// The last evaluation gives the states and their slopes at the velocities before the last
-// correction. The first-order update in this file gives the states that belong to the solution of
-// the stage, so that momentum and contact forces agree. Without this update, a stiff tangential
-// spring would lag by one correction, as in an explicit step, and would be unstable.
+// Updates the states of contacts after the last correction. The states (core/parts/part.h) depend
+// on the velocities at the end of a stage. The last evaluation gives the states and their slopes at
+// the velocities before the last correction. The first-order update in this file gives the states
+// that belong to the solution of the stage, so that momentum and contact forces are consistent.
+// Without this update, a stiff tangential spring would lag by one correction, as in an explicit
+// step, and would be unstable.
 #ifndef RACEWAY_KEPT_FOLLOW_H
 #define RACEWAY_KEPT_FOLLOW_H
 
@@ -21,7 +22,7 @@ struct alignas(32) KeptSlopes {    // for four contacts, from the last evaluatio
   Lane of[most_states][6];
 };
 
-// Change of velocities due to a correction, in the ball's frame.
+// Changes in velocity due to a correction, in the ball's frame.
 struct Correction {
   Vec3L v, w;              // m/s, rad/s, of the balls
   Vec3L ring_v, ring_w;    // of the ring

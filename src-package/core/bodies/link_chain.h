@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Closed contacts between bodies (ball, cage ball, ball, ...) as scalar unknowns of a chain.
+// Treats closed contacts between bodies (ball, cage ball, ball, ...) as a chain of links with one
+// scalar unknown each.
 //
 // Link i joins two bodies along the unit normal n_i with the stiffness a_i. Once the blocks A of
 // all bodies have been eliminated, the forces l of the links solve
 //   l_i/a_i + sum_j c_ij l_j = n_i . (x_first - x_second)
-// with c_ij = +-n_i . A^-1 n_j at a body that i and j share.
-// A link shares at most two bodies with other links, so c is tridiagonal, with one additional
-// corner entry if a chain closes into a circle; elimination carries that corner along. The order of
-// operations depends only on the order of the links.
+// where c_ij = +-n_i . A^-1 n_j at a body that is shared by i and j. A link shares at most two
+// bodies with other links, so c is tridiagonal, with one additional corner entry if a chain closes
+// into a circle; elimination carries that corner along. The order of operations depends only on the
+// order of the links.
 #ifndef RACEWAY_LINK_CHAIN_H
 #define RACEWAY_LINK_CHAIN_H
 
@@ -21,9 +22,10 @@ class LinkChain {
  public:
   struct End {
     int body;
-    Vec3 n;         // the link's normal in the body's own frame
-    Vec3 answer;    // body's velocity due to a unit force along n: first three entries of A^-1 n
-    int slot;       // 0 or 1, whether it is the first or second link of the body
+    Vec3 n;         // normal of the link in the body's frame
+    Vec3 answer;    // velocity of the body due to a unit force along n, i.e. the first three
+                    // entries of A^-1 n
+    int slot;       // 0 if it is the first link of the body, 1 if it is the second
   };
   struct Link {
     End end[2];
@@ -38,7 +40,8 @@ class LinkChain {
     links.clear();
   }
 
-  // Returns false if a body would have a third link, because the links would then not form a chain.
+  // Adds a link. Returns false if a body would have a third link, because the links would then no
+  // longer form a chain.
   bool add(int first, int second, const Vec3 &n_first, const Vec3 &n_second, double a)
   {
     const int slot[2] = {of_body_[first].count, of_body_[second].count};
@@ -53,7 +56,7 @@ class LinkChain {
     return true;
   }
 
-  // Must be called once the answers at both ends of every link are set.
+  // Must be called after the answers at both ends of every link have been set.
   void factor()
   {
     const int n = static_cast<int>(links.size());
@@ -75,7 +78,7 @@ class LinkChain {
     for (const Chain &c : chains_) factor(c);
   }
 
-  // Replaces right-hand sides by forces in place; both are indexed by link.
+  // Replaces the right-hand sides by the forces in place. Both are indexed by link.
   void solve(double *x) const
   {
     for (const Chain &c : chains_) {
@@ -106,7 +109,7 @@ class LinkChain {
     bool circle;
   };
 
-  // Returns the other link of the body at this end of a link; -1 if there is none.
+  // Returns the other link of the body at the given end of link i, or -1 if there is none.
   int neighbour(int i, int end) const
   {
     const Pair &p = of_body_[links[i].end[end].body];

@@ -7,7 +7,7 @@
 
 namespace raceway {
 
-// Adds `gained` (3 values, m/s) to the free velocities.
+// Adds `gained` (3 values, m/s) to the velocities of the free degrees of freedom.
 inline void gain(const RingProgram &p, RingPlace &r, const double *gained)
 {
   double v[3];
@@ -17,8 +17,8 @@ inline void gain(const RingProgram &p, RingPlace &r, const double *gained)
   r.v = Vec3::from(v);
 }
 
-// Moves a ring over h seconds to the fraction s of the host's step; free degrees of freedom move at
-// their own velocity.
+// Moves a ring for h seconds to the fraction s of the host's step. Free degrees of freedom move at
+// their current velocity.
 inline void displace(const RingProgram &p, RingPlace &r, double h, double s)
 {
   double x[3], v[3], origin[3];
@@ -54,7 +54,7 @@ inline void drive_rates(const RingProgram &p, const RingPlace &r, double *rate, 
   }
 }
 
-// Driven tilts set the axis directly, so that small rotations do not accumulate to a drift.
+// Driven tilts set the axis directly, so that small rotations do not accumulate and cause a drift.
 inline void tilt_by(RingPlace &r, const double *rate, double h)
 {
   for (int k = 0; k < 2; ++k) r.tilt[k] += rate[k] * h;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Motion of a ring in the implicit step: w = W + spin e with W normal to its axis e, W = (rate_x,
-// rate_y, .), so that
+// Motion of a ring in the implicit step: w = W + spin e, where W = (rate_x, rate_y, .) is normal to
+// its axis e, so that
 //   e' = W x e,    I_t W' = M_across - I_a spin (W x e),    I_a spin' = M.e
 // (M_across = M - (M.e) e; the component along e includes the drive of an imposed spin). The
 // gyroscopic moment is the term with the spin.
@@ -12,7 +12,8 @@
 
 namespace raceway {
 
-// Adds `gained` (N_DOF values) to the free velocities of the base, without motion.
+// Adds `gained` (N_DOF values) to the velocities of the free degrees of freedom at the base,
+// without moving the ring.
 inline RingPose kicked(const RingProgram &p, const RingPose &base, const double *gained)
 {
   RingPose r = base;
@@ -37,7 +38,7 @@ inline RingPose displaced(const RingProgram &p, const RingPose &base, double h, 
 
 // Performs an implicit Euler step from `base` over h to the fraction s of the host's step: pose =
 // base + h times the velocities at the end. Free degrees of freedom have the velocities of the base
-// plus `gained` (N_DOF values); all others have the driven velocities.
+// plus `gained` (N_DOF values), and all others have the driven velocities.
 inline RingPose moved(const RingProgram &p, const RingPose &base, const double *gained, double h,
                       double s)
 {
@@ -49,7 +50,7 @@ inline RingPose moved(const RingProgram &p, const RingPose &base, const double *
   return r;
 }
 
-// Moves a ring at constant velocity over h seconds to the fraction s of the host's step; driven
+// Moves a ring at constant velocity for h seconds to the fraction s of the host's step. The driven
 // velocities are those at the fraction s.
 inline RingPose coasted(const RingProgram &p, const RingPose &base, double h, double s)
 {
@@ -61,7 +62,7 @@ inline RingPose coasted(const RingProgram &p, const RingPose &base, double h, do
   return r;
 }
 
-// Returns from + b (to - from) in every coordinate, which is the base of the second stage.
+// Returns `from` + b (`to` - `from`) for every coordinate, which is the base of the second stage.
 inline RingPose beyond(const RingPose &from, const RingPose &to, double b)
 {
   RingPose r = to;

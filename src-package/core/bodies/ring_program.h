@@ -5,8 +5,8 @@
 // y, and spin about the ring's own axis e.
 //
 // Both integrators share displacements, driven tilts, the spin and the loads, but represent the
-// angular velocity differently. Velocity Verlet uses the vector w of the host (RingAtom) without
-// rounding it again (ring_verlet.h). The implicit step solves for rates (RingPose,
+// angular velocity differently. Velocity Verlet uses the host's vector w (RingAtom) without an
+// additional rounding error (ring_verlet.h). The implicit step solves for rates (RingPose,
 // ring_implicit.h).
 #ifndef RACEWAY_RING_PROGRAM_H
 #define RACEWAY_RING_PROGRAM_H
@@ -17,7 +17,8 @@ namespace raceway {
 
 enum class Freedom { fixed, free, speed, position };
 
-// A value set for one ring; `which` is a degree of freedom, FORCE + k or MOMENT + k of RingProgram.
+// A value set for one ring; `which` is a degree of freedom, or FORCE + k or MOMENT + k of
+// RingProgram.
 struct RingValue {
   int which;
   double value;
@@ -29,15 +30,16 @@ struct TurningForce {
   double size = 0.0, speed = 0.0, phase = 0.0;    // N, rad/s, rad
 };
 
-// An eccentric mass that rotates with a ring of imposed spin.
+// An eccentric mass that rotates with a ring whose spin is imposed.
 struct Unbalance {
-  double moment = 0.0, phase = 0.0;    // kg m, mass times eccentricity; rad, relative to the ring
+  double moment = 0.0, phase = 0.0;    // mass times eccentricity, kg m; phase relative to the ring,
+                                       // rad
 };
 
 // A spring and damper in parallel between a ring and another ring, or between a ring and the ground
 // at the ring's initial position.
 struct Support {
-  double stiffness = 0.0, damping = 0.0;    // N/m and N s/m; for a tilt N m/rad and N m s/rad
+  double stiffness = 0.0, damping = 0.0;    // in N/m and N s/m; for a tilt in N m/rad and N m s/rad
 };
 
 struct RingPlace;
@@ -54,23 +56,27 @@ struct RingProgram {
   RingInertia inertia;
   double target[2][N_DOF] =
       {};    // driven speed or position (m or rad from the origin) at both ends, linear in between
-  Vec3 force[2], moment[2];    // N, N m, at both ends, linear in between, before the ramp
+  Vec3 force[2], moment[2];    // force (N) and moment (N m) at the start and the end of the step,
+                               // linear in between, before the ramp is applied
   TurningForce turning;
   Unbalance unbalance;
-  // For a shaft: first moments along its axis of loads and unbalances that act away from its
+  // For a shaft: first moments along its axis of the loads and unbalances that act away from its
   // centre.
-  Vec3 leverage[2];         // N m, at both ends, linear in between, before the ramp
+  Vec3 leverage[2];         // N m, at the start and the end of the step, linear in between, before
+                            // the ramp is applied
   Unbalance couple;         // kg m^2
   bool apart = false;       // true if there are such loads or unbalances
   Support support[SPIN];    // supports of displacements and tilts
   bool supported = false;
-  // Load due to grains (N, and N m about the centre), constant over the host's step and not ramped.
+  // Load due to grains (N, and N m about the centre), which is constant over the host's step and
+  // not ramped.
   bool grains = false;
   Vec3 grain_force, grain_moment;
   double spin_growth = 0.0;    // rad/s^2, growth rate of a driven spin
   double ramp = 0.0;           // s, time over which the loads are applied (3s^2 - 2s^3)
   double end = 0.0,
-         length = 0.0;    // s: age of the load at the end of the host's step, length of that step
+         length = 0.0;    // age of the load at the end of the host's step, and length of that step,
+                          // s
 
   bool free(int dof) const { return mode[dof] == Freedom::free; }
   bool tilts_free() const { return free(TILT) && free(TILT + 1); }
@@ -99,7 +105,7 @@ struct RingProgram {
     const double x = age / ramp;
     return x * x * (3.0 - 2.0 * x);
   }
-  // Returns the force of the loads on a ring rotated by `angle` (rad), N.
+  // Returns the force of the loads on a ring that has rotated by `angle` (rad), N.
   Vec3 force_at(double s, double angle) const
   {
     Vec3 total = force[0] + (force[1] - force[0]) * s;
@@ -109,8 +115,8 @@ struct RingProgram {
     if (grains) total += grain_force;
     return unbalance.moment == 0.0 ? total : total + unbalance_force(unbalance, s, angle);
   }
-  // Returns the centrifugal force of the eccentric mass plus its inertial force when the spin
-  // changes.
+  // Returns the centrifugal force of the eccentric mass plus the inertial force due to changes in
+  // spin.
   Vec3 unbalance_force(const Unbalance &of, double s, double angle) const
   {
     if (mode[SPIN] != Freedom::speed) return {};
@@ -118,10 +124,10 @@ struct RingProgram {
     const double w = target_at(SPIN, s);
     return (out * (w * w) - Vec3{-out.y, out.x, 0.0} * spin_growth) * of.moment;
   }
-  // Returns the moment of the loads about the centre of a ring at this position, N m.
+  // Returns the moment of the loads about the centre of a ring at the given position, N m.
   Vec3 moment_at(double s, const RingPlace &) const;
-  // Return the force (N) and moment (N m) of the supports on the ring; its tilt rates are W
-  // (ring_implicit.h).
+  // Return the force (N) and moment (N m) of the supports on the ring; the tilt rates of the ring
+  // are W (ring_implicit.h).
   Vec3 support_force(const RingPlace &) const;
   Vec3 support_moment(const RingPlace &, double rate_1, double rate_2) const;
   double support_energy(const RingPlace &) const;    // J, stored in the springs
@@ -139,7 +145,7 @@ struct RingProgram {
 struct RingPlace {
   Vec3 x, v, e{0.0, 0.0, 1.0}, origin;
   double angle = 0.0;             // rad, rotation about its axis
-  double tilt[2] = {0.0, 0.0};    // rad, rotation vector from the bearing axis to e
+  double tilt[2] = {0.0, 0.0};    // rad, rotation vector that turns the bearing axis into e
 };
 
 inline Vec3 RingProgram::moment_at(double s, const RingPlace &r) const

@@ -7,9 +7,10 @@
 
 namespace raceway {
 
-// Computes springs and dampers at the end of a velocity Verlet step, with velocities that lag by
-// half a step, `half` (s; 0 if they do not lag). `push` (N) is the sum of all other forces. A
-// damper is implicit, so it does not limit the time step: v = v_half + half (push - K d - C v)/m.
+// Computes the force of springs and dampers at the end of a velocity Verlet step. The velocities
+// lag by half a step, `half` (s; 0 if they do not lag). `push` (N) is the sum of all other forces.
+// Dampers are treated implicitly, so they do not limit the time step: v = v_half + half (push - K d
+// - C v)/m.
 inline double verlet_support(const Support &on, double displacement, double behind, double push,
                              double inertia, double half)
 {
@@ -27,9 +28,9 @@ struct SupportEnd {
   Support ground;
 };
 
-// Does the same for a support between two rings: the support's damper and the damper from the
-// second ring to the ground are implicit in the velocities of both rings. Returns the force on the
-// first ring.
+// Does the same for a support between two rings. The damper of the support and the damper between
+// the second ring and the ground are implicit in the velocities of both rings. Returns the force on
+// the first ring.
 inline double verlet_support(const Support &on, const SupportEnd &held, const SupportEnd &holder,
                              double half)
 {
@@ -45,8 +46,8 @@ inline double verlet_support(const Support &on, const SupportEnd &held, const Su
   return spring - on.damping * rate;
 }
 
-// Applies force (N) and moment (N m) over h seconds to the free degrees of freedom without moving
-// the ring.
+// Applies a force (N) and a moment (N m) to the free degrees of freedom for h seconds without
+// moving the ring.
 inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &force,
                        const Vec3 &moment, double h)
 {
@@ -57,7 +58,8 @@ inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &f
     if (p.free(k)) gained[k] = h / p.mass * push[k];
   gain(p, r, gained);
   if (p.tilts_free()) {
-    // the momentum includes the gyroscopic coupling; an imposed spin takes the reaction
+    // the momentum includes the gyroscopic coupling; if the spin is imposed, its drive takes the
+    // reaction
     const double spin = dot(r.w, r.e);
     r.w = angular_velocity(p.inertia, angular_momentum(p.inertia, r.w, r.e) + moment * h, r.e);
     if (!p.free(RingProgram::SPIN)) r.w += r.e * (spin - dot(r.w, r.e));
@@ -70,7 +72,7 @@ inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &f
   return r;
 }
 
-// Moves a ring at constant velocity over h seconds to the end of the host's step.
+// Moves a ring at constant velocity for h seconds to the end of the host's step.
 inline RingAtom coasted(const RingProgram &p, const RingAtom &base, double h)
 {
   RingAtom r = base;

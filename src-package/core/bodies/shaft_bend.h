@@ -10,9 +10,11 @@ namespace raceway {
 
 // Modal loads over the host's step, analogous to the loads of RingProgram on the rigid shaft.
 struct BendProgram {
-  std::vector<double> load[2];         // N, by mode in both planes, at both ends, before the ramp
-  std::vector<Unbalance> unbalance;    // by mode in a plane
-  std::vector<double> centre;          // by mode, displacement of the centre for a rotating force
+  std::vector<double> load[2];         // modal loads (N) for each mode in both planes, at the start
+                                       // and the end of the step, before the ramp is applied
+  std::vector<Unbalance> unbalance;    // for each mode in one plane
+  std::vector<double> centre;          // for each mode, displacement of the centre, needed for a
+                                       // rotating force
 
   // Computes the modal forces (N) at the fraction s of the host's step and writes them to `of`,
   // which is reused.
@@ -38,7 +40,7 @@ struct BendProgram {
 
 struct ShaftBend {
   struct Seat {
-    int ring, column;    // column: first of the ring's own columns in the linear system
+    int ring, column;    // column: first of the ring's columns in the linear system
     double at;           // m, from the centre
     const ShaftModes::Station *station;
   };
@@ -50,7 +52,7 @@ struct ShaftBend {
   BendProgram program;
   BendState from, base, now, first, end;
   std::vector<double> gained;      // m/s, change of modal velocities since the base
-  std::vector<double> contacts;    // N, modal forces of the bearings
+  std::vector<double> contacts;    // N, modal forces due to the bearings
 
   int size() const { return 2 * modes->size(); }    // number of unknowns
   // Returns the pose of the centre of mass including the deflection; supports act there.
@@ -58,9 +60,9 @@ struct ShaftBend {
   {
     return carried(shaft, 0.0, shaft.origin, Deflection(*centre, now));
   }
-  // Return modal forces, N. loads() returns those of the loads alone, forces() those of contacts,
-  // loads, supports, stiffness, damping and the spin of the rigid shaft. The results are valid
-  // until the next call, because their memory is reused.
+  // Return modal forces, N. loads() returns those due to the loads alone, and forces() those due to
+  // contacts, loads, supports, stiffness, damping and the spin of the rigid shaft. The results are
+  // valid until the next call, because their memory is reused.
   const std::vector<double> &loads(const RingProgram &, const RingPose &shaft, double s);
   const std::vector<double> &forces(const RingProgram &, const RingPose &shaft, double s);
   void start() { base = now = from; }

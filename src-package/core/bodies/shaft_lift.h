@@ -13,7 +13,7 @@ class BearingBodies;
 
 class ShaftLift {
  public:
-  void find(const BearingBodies &);    // computes T in the present state
+  void find(const BearingBodies &);    // computes T in the current state
   // unknowns += T^T columns T; both matrices are square and stored row by row
   void add_matrix(const std::vector<double> &columns, std::vector<double> &unknowns);
   // unknowns += T^T columns

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bending of a round shaft: elastic modes in addition to its rigid-body motion. The modes are the
-// same in the planes of both radial axes (the bearing axis is the third). Modal coordinates are
-// lengths; the modes do not rotate with the shaft. They are mass-orthogonal to the rigid-body
-// motion, and
+// Bending of a round shaft, described by elastic modes in addition to its rigid-body motion. The
+// modes are the same in the planes of both radial axes (the bearing axis is the third). Modal
+// coordinates are lengths; the modes do not rotate with the shaft. They are mass-orthogonal to the
+// rigid-body motion, and
 //   m a'' + c a' + k a + spin g b' = f_a,    m b'' + c b' + k b - spin g a' = f_b
-// with the coordinates a in the first plane and b in the second. The gyroscopic matrix g also
-// couples the modes to the slopes of the rigid shaft, which occupy its first row and column.
+// where a are the coordinates in the first plane and b those in the second. The gyroscopic matrix g
+// also couples the modes to the slopes of the rigid shaft, which occupy its first row and column.
 #ifndef RACEWAY_SHAFT_MODES_H
 #define RACEWAY_SHAFT_MODES_H
 
@@ -21,9 +21,9 @@ struct ShaftModes {
     double at;                            // m, relative to the centre of mass
     std::vector<double> moved, tilted;    // deflection (1) and slope (rad/m), indexed by mode
   };
-  std::vector<double> mass, stiffness, damping;    // kg, N/m, N s/m
-  std::vector<double> gyroscopic;                  // stored row by row, the slope of the rigid
-                                                   // shaft first
+  std::vector<double> mass, stiffness, damping;    // modal values in kg, N/m and N s/m
+  std::vector<double> gyroscopic;                  // stored row by row, starting with the slope of
+                                                   // the rigid shaft
   std::vector<Station> stations;                   // sorted by position
 
   int size() const { return static_cast<int>(mass.size()); }    // number of modes in a plane
@@ -37,7 +37,7 @@ struct ShaftModes {
   }
 };
 
-// Coordinates of all modes: those in the first plane, then those in the second plane.
+// Coordinates of all modes, first those in the first plane, then those in the second plane.
 struct BendState {
   std::vector<double> place, rate;    // m, m/s
 
@@ -50,7 +50,8 @@ struct BendState {
 
 // Deflection at a position on the shaft, relative to the rigid shaft.
 struct Deflection {
-  double moved[2] = {}, slope[2] = {};    // m, rad, of the shaft's axis in both radial directions
+  double moved[2] = {}, slope[2] = {};    // of the shaft's axis in both radial directions, m and
+                                          // rad
   double speed[2] = {}, rate[2] = {};     // m/s, rad/s
 
   Deflection(const ShaftModes::Station &s, const BendState &b)
@@ -67,14 +68,15 @@ struct Deflection {
   }
 };
 
-// Return the axis with these slopes, and its rate of change.
+// Return the axis that has the given slopes, and its rate of change.
 inline Vec3 axis_of(double x, double y) { return {x, y, std::sqrt(1.0 - x * x - y * y)}; }
 inline Vec3 axis_speed(const Vec3 &e, double x, double y)
 {
   return {x, y, -(e.x * x + e.y * y) / e.z};
 }
 
-// Rotates the axis `from` of a station into e; adds the two given rates to the rates of its slopes.
+// Rotates the axis `from` of a station into e, and adds the two given rates to the rates of its
+// slopes.
 template <class Place>
 void turn_axis(Place &r, const Vec3 &e, const Vec3 &from, double rate_1, double rate_2)
 {
@@ -125,7 +127,8 @@ inline void add_to_modes(const ShaftModes::Station &s, const Vec3 &e, const Vec3
   }
 }
 
-// Adds the forces of the supports at a station; `there` is the pose of the station.
+// Adds the forces of the supports at a station to the modal forces. `there` is the pose of the
+// station.
 inline void add_supports(const ShaftModes::Station &s, const RingProgram &p, const RingPose &there,
                          std::vector<double> &of)
 {
@@ -133,9 +136,9 @@ inline void add_supports(const ShaftModes::Station &s, const RingProgram &p, con
                p.support_moment(there, there.rate[0], there.rate[1]), of);
 }
 
-// Returns the moment about the centre of the rigid shaft with the axis e, from the force and the
-// moment on a ring with the axis `own`. The moment about the ring's own axis acts about the shaft's
-// axis.
+// Returns the moment about the centre of the rigid shaft with the axis e, due to the force and the
+// moment on a ring with the axis `own`. The moment component about the ring's axis acts about the
+// shaft's axis.
 inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &own, const Vec3 &force,
                                 const Vec3 &moment)
 {
@@ -163,7 +166,7 @@ inline void own_forces(const ShaftModes &m, const BendState &b, const RingPose &
   }
 }
 
-// Returns the gyroscopic moment of the modes on the tilts of their shaft, N m.
+// Returns the gyroscopic moment that the modes exert on the tilts of their shaft, N m.
 inline Vec3 moment_of_modes(const ShaftModes &m, const BendState &b, double spin)
 {
   Vec3 sum;

@@ -12,7 +12,7 @@ namespace raceway {
 inline Vec3 turning(const RingPose &r) { return r.across(); }
 inline Vec3 turning(const RingAtom &r) { return r.w; }
 
-// Returns the state of a ring on its shaft. `origin` is the origin of the ring.
+// Returns the state of a ring that is carried by a shaft. `origin` is the origin of the ring.
 template <class Place> Place carried(const Place &shaft, double at, const Vec3 &origin)
 {
   Place ring = shaft;
@@ -22,7 +22,8 @@ template <class Place> Place carried(const Place &shaft, double at, const Vec3 &
   return ring;
 }
 
-// Returns the state of a ring's shaft. The shaft's initial axis was the bearing axis.
+// Returns the state of the shaft that carries a ring. The initial axis of the shaft was the bearing
+// axis.
 template <class Place> Place shaft_of(const Place &ring, double at)
 {
   Place shaft = ring;
@@ -32,15 +33,15 @@ template <class Place> Place shaft_of(const Place &ring, double at)
   return shaft;
 }
 
-// Returns the moment about the shaft's centre of a moment and a force that act `at` metres along
-// its axis.
+// Returns the moment about the shaft's centre that results from a moment and a force that act `at`
+// metres along its axis.
 inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &force, const Vec3 &moment)
 {
   return moment + cross(e * at, force);
 }
 
-// Returns the acceleration of a carried ring, m/s^2; push (N) and moment (N m) act at the shaft's
-// centre. Fixed and driven degrees of freedom have no acceleration of their own.
+// Returns the acceleration of a carried ring, m/s^2; `push` (N) and `moment` (N m) act at the
+// shaft's centre. Fixed and driven degrees of freedom do not contribute to the acceleration.
 inline Vec3 carried_acceleration(const RingProgram &p, const RingPose &shaft, double at,
                                  const Vec3 &push, const Vec3 &moment)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A contact law with any set of parts, evaluated on lanes: each part is a separate function,
-// compiled once (any_law_parts.h), and the parts of the set are called one after another. The
-// results are bitwise identical to those of a law compiled as a whole (contact.h), but take 1.3 to
-// 1.9 times as long.
+// A contact law that consists of any set of parts and is evaluated in lanes. Each part is a
+// separate function that is compiled once (any_law_parts.h), and the parts of the set are called
+// one after another. The results are bitwise identical to those of a law compiled as a whole
+// (contact.h), but computing them takes 1.3 to 1.9 times as long.
 #ifndef RACEWAY_ANY_LAW_H
 #define RACEWAY_ANY_LAW_H
 
@@ -26,7 +26,8 @@ struct LawFunctions {
 };
 extern const LawFunctions wide_law, narrow_law;    // narrow: for processors without AVX2
 
-// Has the same members as LawOf (law.h). n: number of motions on which forces depend, 3 or 6.
+// Has the same members as LawOf (law.h). n is the number of motions on which the forces depend, 3
+// or 6.
 template <int n> class AnyLaw {
  public:
   static constexpr int room = most_states, motions = n;

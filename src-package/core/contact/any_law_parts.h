@@ -19,9 +19,9 @@ RACEWAY_CALLED void call_act(const RacewayPhysics &p, const RacewayConstantsT<Va
   Part::act(p.of<Part>(), p, k, m, c);
 }
 
-// Selects the parts available for a number type: numbers with three derivatives are for laws
-// without couples, and numbers with derivatives exclude parts that support explicit integration
-// only.
+// Selects the parts that are available for a number type. Numbers with three derivatives are used
+// only for laws without couples, and numbers with derivatives only for parts that support implicit
+// integration.
 template <class Part, class T> struct Takes : std::true_type {};
 template <class Part, class B, int n>
 struct Takes<Part, Dual<B, n>>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The parts of the contact law, and the laws that are compiled as a whole. Any other set of parts
-// uses any_law.h.
+// The parts of the contact law, and the laws that are compiled as a whole. All other sets of parts
+// are evaluated by any_law.h.
 #ifndef RACEWAY_CONTACT_H
 #define RACEWAY_CONTACT_H
 
@@ -22,8 +22,8 @@
 
 namespace raceway {
 
-// The parts act in this order, so that each part follows the parts whose results it uses. The order
-// also defines the bits in a set of parts and the order of tables in the docs.
+// The parts act in this order, so that each part comes after the parts whose results it uses. The
+// order also defines the bits in a set of parts and the order of the tables in the docs.
 using Parts =
     PartList<HertzContactPart, FilmInGapPart, HysteresisPart, FilmThicknessPart, FilmDamperPart,
              NormalForcePart, FilmBranchPart, ConstantFrictionPart, StribeckFrictionPart,
@@ -41,8 +41,8 @@ using FullLaw =
 
 template <class... L> struct LawList {};
 
-// The laws in inputs/models; for each of them a loop over contacts is compiled with the law
-// inlined. This list affects only the speed, not the results.
+// The laws in inputs/models; for each of them, a loop over contacts with the law inlined is
+// compiled. This list affects only the speed, not the results.
 using DryLaws = LawList<DryLaw<ConstantFrictionPart, TangentialSpringPart>,
                         DryLaw<ConstantFrictionPart, SmoothedFrictionPart>>;
 using PaperLaws = LawList<LubricatedLaw<StribeckFrictionPart, TangentialSpringPart>,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Contacts of balls with one groove, evaluated four at a time and without derivatives, for the
-// host's step. Each lane is bitwise identical to the contact evaluated alone.
+// host's step. The result in each lane is bitwise identical to that of the contact evaluated alone.
 #ifndef RACEWAY_CONTACT_LANES_H
 #define RACEWAY_CONTACT_LANES_H
 
@@ -17,7 +17,7 @@ struct FlawedPlace {
 };
 
 // Contacts of up to four balls with one groove. A lane without a ball refers to the ball of another
-// lane and has its own storage for results.
+// lane and has separate storage for results.
 struct ContactLanes {
   struct BallArrays {
     const double *x, *v, *w;    // three components each
@@ -28,7 +28,7 @@ struct ContactLanes {
   RingState groove;
   double dt = 0.0;        // s, step of the law's state variables
   double *kept[lanes];    // state variables
-  bool gaps = false;      // true: also find positions and motions of balls that do not touch
+  bool gaps = false;      // true: also compute the positions and motions of balls that do not touch
   ContactState *state[lanes];
   ContactForces *force[lanes];
   const FlawedPlace *flaw[lanes] = {};    // null: raceway and ball are smooth
@@ -44,11 +44,11 @@ struct ContactLanes {
 
 // Finds the contacts that may touch.
 void find_places(const RacewayPhysics &, ContactLanes &);
-// Evaluates law and kinematics, i.e. contact states, forces and, if dt > 0, state variables. The
-// results are valid only for contacts that touch. If the law has no reach, all contacts must be
-// near.
+// Evaluates the law and the kinematics, i.e. the contact states, the forces and, if dt > 0, the
+// state variables. The results are valid only for contacts that touch. If the reach of the law is
+// 0, all contacts must be near.
 void act_in_lanes(const RacewayPhysics &, ContactLanes &);
-// Does the same for any law, with each part as a separate function.
+// Does the same for any law, where each part is a separate function.
 void act_by_parts(const RacewayPhysics &, ContactLanes &);
 
 }    // namespace raceway

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Implementation of contact_lanes.cpp, for the files that compile it for an instruction set.
+// Implementation of contact_lanes.cpp, included by the files that compile it for a particular
+// instruction set.
 #ifndef RACEWAY_CONTACT_LANES_LAW_H
 #define RACEWAY_CONTACT_LANES_LAW_H
 
@@ -38,7 +39,7 @@ RACEWAY_INLINE RingStateT<Lane> rings(const ContactLanes &c)
   return {in_all(c.groove.x), in_all(c.groove.v), in_all(c.groove.w), in_all(c.groove.e)};
 }
 
-// Computes frame and overlap; returns the lanes within reach.
+// Computes the frame and the overlap. Returns the lanes that are within reach.
 RACEWAY_INLINE LaneMask place(const RacewayPhysics &p, const Vec3L &d, const Vec3L &e,
                               ContactStateT<Lane> &c)
 {
@@ -100,7 +101,7 @@ RACEWAY_INLINE void act_as(const L &law, const RacewayPhysics &p, ContactLanes &
       if (x.gaps) lanes_apart(c, x.state);
       return;
     }
-    c.overlap = where(live, overlap, 1e-9);    // any overlap at which there is a load
+    c.overlap = where(live, overlap, 1e-9);    // an arbitrary overlap at which there is a load
   }
   TurnRowT<Lane> depth;
   if (flawed) {

@@ -22,7 +22,7 @@ template <class... P> constexpr unsigned parts_when(PartList<P...>, When when)
   return ((P::when == when ? Parts::bit<P>() : 0u) | ...);
 }
 
-// Friction includes the tangential spring unless a keyword chooses another tangential law; a law
+// Friction includes the tangential spring unless a keyword selects another tangential law. A law
 // without friction has no tangential law.
 unsigned completed(unsigned parts)
 {

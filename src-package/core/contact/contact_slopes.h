@@ -5,8 +5,8 @@
 //
 // The motions are the approach of ball and raceway, the sliding along t and w and, if the law has
 // couples, the relative rotations about n, t and w. The forces are N, f_t, f_w and, if the law has
-// couples, the couples about n, t, w. The overlap follows the approach over the time in which
-// positions follow velocities.
+// couples, the couples about n, t, w. The overlap changes with the approach for as long as
+// positions change with velocities.
 #ifndef RACEWAY_CONTACT_SLOPES_H
 #define RACEWAY_CONTACT_SLOPES_H
 
@@ -20,9 +20,9 @@ template <class T, int n> struct alignas(sizeof(Value<T>)) ContactSlopesT {
   T state[most_states][n];    // state[j][k]: derivative of state variable j
 };
 
-// Works like law.act(); only the values of c that the law sets are changed. `follows` (s) is the
-// time over which the overlap follows the approach, i.e. the length of an implicit stage, or 0 if
-// positions are given.
+// Works like law.act(); the only values of c that change are those set by the law. `follows` (s) is
+// the time over which the overlap follows the approach, i.e. the length of an implicit stage, or 0
+// if positions are given.
 template <class L, class B>
 RACEWAY_INLINE void act_with_slopes(const L &law, const RacewayPhysics &p,
                                     const LawStates<B> &memory, double follows, ContactStateT<B> &c,

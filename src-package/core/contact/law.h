@@ -19,7 +19,8 @@ constexpr bool same_text(const char *a, const char *b)
 }
 }    // namespace detail
 
-// All available parts; a set of them is a bit mask in the order of the list.
+// List of all available parts. A set of parts is represented by a bit mask in the order of the
+// list.
 template <class... P> struct PartList {
   using Parameters = std::tuple<typename P::Parameters...>;
   static constexpr int size = sizeof...(P);
@@ -91,12 +92,12 @@ template <class All, class... P> struct LawOf {
   static constexpr unsigned parts = (All::template bit<P>() | ...);
   static_assert(All::template in_order<P...>(), "parts act in the order of the list of all parts");
   static constexpr int states = (P::states + ...);
-  static constexpr int room = states > 0 ? states : 1;    // length of an array of state variables
+  static constexpr int room = states > 0 ? states : 1;    // length of the array of state variables
   static constexpr bool couples = (P::couples || ...);
   static constexpr bool explicit_step = (P::explicit_step || ...);
   static constexpr int motions = couples ? 6 : 3;    // number of motions on which forces depend
   static constexpr bool decides = (detail::Decides<P>::value || ...);
-  static constexpr bool takes_profiles = false;    // for smooth raceways only
+  static constexpr bool takes_profiles = false;    // the law is compiled for smooth raceways only
 
   // Evaluates all parts for the motions in c.
   template <class T>

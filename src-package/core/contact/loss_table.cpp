@@ -29,9 +29,9 @@ constexpr bool same_text(const char *a, const char *b)
   while (*a && *a == *b) ++a, ++b;
   return *a == *b;
 }
-// Returns the position of a column. Outputs keep the column order of versions in which parts did
-// not declare their losses; new columns follow in the order of the parts. For a name without a
-// loss, the result is the number of columns.
+// Returns the position of a column. For compatibility with versions in which parts did not declare
+// their losses, outputs keep the column order of those versions; new columns follow in the order of
+// the parts. For a name that is not a loss, the result is the number of columns.
 template <class... L> constexpr int loss_place(LossList<L...>, const char *name)
 {
   const char *const names[] = {"friction_power",   "damping_power", "rolling_power",

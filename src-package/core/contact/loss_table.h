@@ -24,8 +24,8 @@ LossPowers loss_powers(const ContactState &c);
 
 struct LossEntry {
   LossColumn is;
-  unsigned parts;                                            // set of parts that have this loss
-  double (*value)(const Raceway &, const ContactState &);    // W, loss of a contact
+  unsigned parts;                                            // set of the parts that have this loss
+  double (*value)(const Raceway &, const ContactState &);    // power (W) that a contact dissipates
   StateColumn column() const
   {
     return {{is.name, "W", is.meaning, vanishes}, value, Needs::nothing, is.usual};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All parts of the contact law as data. Keywords are read from this table, and error messages and
-// the tables in the docs are made from it. It is generated from the declarations of the parts
-// (part.h).
+// All parts of the contact law as data. This table is used to read keywords and to generate error
+// messages and the tables in the docs. It is generated from the declarations of the parts (part.h).
 #ifndef RACEWAY_PART_TABLE_H
 #define RACEWAY_PART_TABLE_H
 
@@ -18,7 +17,7 @@ struct ParameterEntry {
   std::string symbol, meaning;
   double least, most;
   bool open;
-  std::vector<std::string> choices;    // words of the keyword; empty for a number
+  std::vector<std::string> choices;    // words that the keyword accepts; empty for a number
   std::string initial;                 // default value, as text
 };
 
@@ -34,7 +33,7 @@ struct PartEntry {
   std::string name, slot;
   When when;
   bool film;            // needs a lubricant
-  std::string needs;    // name of another part that this part needs, or ""
+  std::string needs;    // name of another part that this part requires, or ""
   int states;
   std::vector<KeywordEntry> keywords;
   std::vector<StateColumn> columns;
@@ -45,8 +44,8 @@ const std::vector<PartEntry> &part_table();
 // Returns for example "hertz + hysteresis + normal_force", for use in messages.
 std::string law_text(unsigned parts);
 
-// Returns the reason why a contact cannot have this set of parts, or "" if it can. A set made by
-// keywords has at most one part per slot.
+// Returns the reason why a contact cannot have this set of parts, or "" if it can. A set that
+// results from keywords has at most one part per slot.
 std::string contradiction(unsigned parts);
 
 }    // namespace raceway

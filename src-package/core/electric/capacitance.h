@@ -16,9 +16,9 @@ template <class T> RACEWAY_INLINE T density_ratio(const T &p)
   return (0.59e9 + 1.34 * p) / (0.59e9 + p);
 }
 
-// Returns the relative permittivity at the pressure p (Pa) from its value at ambient pressure, eq
-// 10 (Clausius-Mossotti): (eps - 1)/(eps + 2) is proportional to the density. Precondition:
-// eps_ambient >= 1.
+// Returns the relative permittivity at the pressure p (Pa), computed from its value at ambient
+// pressure by eq 10 (Clausius-Mossotti), where (eps - 1)/(eps + 2) is proportional to the density.
+// Precondition: eps_ambient >= 1.
 template <class T> RACEWAY_INLINE T permittivity_at(double eps_ambient, const T &p)
 {
   const T c = (eps_ambient - 1.0) / (eps_ambient + 2.0) * density_ratio(p);
@@ -33,8 +33,8 @@ template <class T> RACEWAY_INLINE T mean_permittivity(double eps_ambient, const 
   const double c = (eps_ambient - 1.0) / (eps_ambient + 2.0), reference = 0.59e9;
   const double slope = 1.02 * c / ((1.0 - c) * (1.0 - c) * reference);
   const T r = (1.0 - 1.34 * c) / ((1.0 - c) * reference) * p;
-  // the integral of 2 q^2/(1 + r q) from 0 to 1, by a series where the difference would suffer from
-  // cancellation
+  // the integral of 2 q^2/(1 + r q) from 0 to 1, computed from a series where the difference would
+  // suffer from cancellation
   const auto small = magnitude(r) < 0.03;
   const T series =
       2.0 * (1.0 / 3 -
@@ -45,8 +45,8 @@ template <class T> RACEWAY_INLINE T mean_permittivity(double eps_ambient, const 
   return eps_ambient + slope * p * where(small, series, closed);
 }
 
-// Returns the capacitance (F) of parallel plates with the area of the Hertz ellipse, eq 8; a, b:
-// semi-axes (m), h: central film thickness (m).
+// Returns the capacitance (F) of parallel plates with the area of the Hertz ellipse, eq 8. a and b
+// are the semi-axes (m), and h is the central film thickness (m).
 template <class T>
 RACEWAY_INLINE T contact_capacitance(const T &eps_r, const T &a, const T &b, const T &h)
 {
@@ -62,8 +62,8 @@ template <class T> RACEWAY_INLINE T rough_film_factor(const T &sigma_over_h)
   return 1.0 / (1.0 - s * s);
 }
 
-// Returns the capacitance (F) of the inner and outer contacts of a ball in series, one term of eq
-// 12. It is 0 if there is no contact on one side.
+// Returns the capacitance (F) of a ball's inner and outer contacts in series, i.e. one term of eq
+// 12. It is 0 if the ball has no contact on one side.
 inline double series_capacitance(double inner, double outer)
 {
   return inner > 0.0 && outer > 0.0 ? inner * outer / (inner + outer) : 0.0;

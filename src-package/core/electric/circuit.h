@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A bearing in an outer circuit, advanced step by step, including the energy balance of the circuit
-// (docs/electric_circuit, Energy).
+// Advances a bearing in an outer circuit step by step and computes the energy balance of the
+// circuit (docs/electric_circuit, Energy).
 #ifndef RACEWAY_CIRCUIT_H
 #define RACEWAY_CIRCUIT_H
 
@@ -9,14 +9,15 @@
 
 namespace raceway {
 
-// Totals since the start (J, C), and the current in the last step. All members are plain doubles,
-// because they are stored in restart files.
+// Totals since the start of the run (J, C), and the current in the last step. All members are plain
+// doubles, because they are stored in restart files.
 struct CircuitAccount {
   double source_work = 0.0, mechanical_work = 0.0, leak_heat = 0.0, resistor_heat = 0.0;
   double discharge_energy = 0.0;
   double discharges = 0.0, failures = 0.0;          // counts
   double film_charge = 0.0;                         // largest charge on a film at full voltage
-  double charge_error = 0.0, energy_error = 0.0;    // largest error of a node, of a step
+  double charge_error = 0.0, energy_error = 0.0;    // largest charge error of a node; largest
+                                                    // energy error of a step
   double current = 0.0;    // A, mean current into the films of the inner ring in the last step
 };
 
@@ -62,7 +63,7 @@ inline double largest_film_charge(const CircuitState &s)
   return most * std::abs(s.voltage.ring);
 }
 
-// Computes the discharge at the present point of `s` and adds it to the account. `before` is the
+// Computes the discharge at the current point of `s` and adds it to the account. `before` is the
 // stored energy before the discharge, including all energy supplied since then.
 template <class Failed> void settle(CircuitState &s, double before, Failed &&failed)
 {
@@ -102,8 +103,8 @@ double step_circuit(CircuitState &s, const CircuitPoint &to, double length, Fail
     moved.supplied = s.charge.ring - charge;
     for (double q : moved.inner) moved.supplied += q;
   }
-  // charge through every element times the mean of the voltages at both ends of the step; for a
-  // capacitance, the remainder of the change in energy is the work done by its plates
+  // charge through every element times the mean of the voltages at both ends of the step. For a
+  // capacitance, the remainder of the change in energy is the work done by moving its plates
   double plates = v0.ring * v1.ring * (outer.beside - s.outer.beside), leak = 0.0;
   for (size_t k = 0; k < films.size(); ++k) {
     const double in0 = v0.ring - v0.ball[k], in1 = v1.ring - v1.ball[k];
@@ -132,7 +133,7 @@ double step_circuit(CircuitState &s, const CircuitPoint &to, double length, Fail
 }    // namespace circuit_detail
 
 // Starts at the first point: the balls have no charge, and the inner ring is at the voltage `start`
-// (V) unless a voltage drives it. `failed` is called for every FilmFailure, in order.
+// (V) unless it is driven by a voltage source. `failed` is called for every FilmFailure, in order.
 template <class Failed>
 void begin_circuit(CircuitState &s, const CircuitPoint &at, double start, Failed &&failed)
 {
@@ -149,8 +150,8 @@ void begin_circuit(CircuitState &s, const CircuitPoint &at, double start, Failed
   circuit_detail::settle(s, stored_energy(films, outer, s.voltage), failed);
 }
 
-// Returns the first ball that has a charge but no film, because its voltage would be unbounded, or
-// -1. Rounding residues of a charge do not count.
+// Returns the first ball that has a charge but no film, or -1 if there is none. The voltage of such
+// a ball would be unbounded. Rounding residues of a charge do not count.
 inline int charged_without_film(const CircuitState &s)
 {
   const double rounding = 1e-12 * s.account.film_charge;
@@ -162,8 +163,9 @@ inline int charged_without_film(const CircuitState &s)
 }
 
 // Advances to the next point, from the time `from` to the time `to` (s). The driving voltage is
-// linear between the `edges`, which are sorted by time and lie after `from` and up to `to`. Films
-// may fail at each edge. `at(time)` returns the CircuitPoint at that time.
+// linear between the `edges`, which are sorted by time and lie in the interval from `from`
+// (excluded) to `to` (included). Films may fail at each edge. `at(time)` returns the CircuitPoint
+// at that time.
 template <class Edges, class At, class Failed>
 void advance_circuit(CircuitState &s, double from, double to, const Edges &edges, At &&at,
                      Failed &&failed)

@@ -11,16 +11,16 @@ namespace raceway {
 struct FilmFailure {
   size_t ball;
   bool at_outer;
-  int order;                                                // position in the sequence of its
-                                                            // discharge, from 1
+  int order;                                                // position in the sequence of failures
+                                                            // of its discharge, counted from 1
   double film_voltage, ring_voltage, ring_voltage_after;    // V
   double film_energy, energy;                               // J
 };
 
-// Reduction of the local film thickness, in standard deviations of the roughness.
+// Amount by which the local film thickness is reduced, in standard deviations of the roughness.
 constexpr double film_peaks = 3.0;
 
-// Returns the local thickness of a film, m: `thickness` reduced by `less` (m) to account for the
+// Returns the local thickness of a film, m: `thickness` minus `less` (m), which accounts for the
 // roughness of the surfaces, but at least `floor` (m).
 inline double local_thickness(double thickness, double less, double floor)
 {
@@ -40,7 +40,7 @@ struct ArcCurrent {
 };
 
 // Returns the breakdown voltage (V) of a film, i.e. its local_thickness() times `strength` (V/m).
-// It is infinite without a film.
+// It is infinite if there is no film.
 inline double film_limit(double thickness, double strength, double less, double floor)
 {
   if (!(thickness > 0.0)) return std::numeric_limits<double>::infinity();
@@ -48,8 +48,8 @@ inline double film_limit(double thickness, double strength, double less, double 
 }
 
 // Returns the smallest voltage (V) between the rings at which a film fails if the balls are
-// uncharged; 0 if this film is bridged, i.e. if its limit is at most `bridged` (V), the limit at
-// the film floor.
+// uncharged; It is 0 if this film is bridged, i.e. if its limit is at most `bridged` (V), which is
+// the limit of a film at the film floor.
 inline double threshold_voltage(const BearingFilms &films, double bridged)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -76,12 +76,12 @@ inline double stored_energy(const BearingFilms &films, const OuterPoint &outer, 
   return 0.5 * twice;
 }
 
-// Which films of a ball conduct.
+// Indicates which films of a ball conduct.
 struct Broken {
   bool inner = false, outer = false;
 };
 
-// Computes voltages after a failure from the charges before it, with the failed films as
+// Computes the voltages after a failure from the charges before it. The failed films are treated as
 // conductors.
 inline void redistribute(const BearingFilms &films, const OuterPoint &outer,
                          const NodeValues &charge, const std::vector<Broken> &broken,
@@ -115,9 +115,9 @@ inline void redistribute(const BearingFilms &films, const OuterPoint &outer,
   }
 }
 
-// As long as any film exceeds its limit, lets the most overloaded film fail; `failed` is called for
-// each failure. Failed films conduct until the end of the discharge and are intact afterwards.
-// Returns the work (J) of the driving voltage while charges move.
+// As long as the voltage of any film exceeds its limit, lets the most overloaded film fail.
+// `failed` is called for each failure. Failed films conduct until the end of the discharge and are
+// intact afterwards. Returns the work (J) done by the driving voltage while charges move.
 template <class Failed>
 double discharge(const BearingFilms &films, const OuterPoint &outer, NodeValues &charge,
                  NodeValues &voltage, Failed &&failed)

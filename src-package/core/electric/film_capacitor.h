@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Capacitor formed by a ball and a raceway: the contact ellipse as plates and, on request, the
-// surroundings of the ellipse, which also exist without contact (docs/fix_bearing_capacitance).
+// Capacitor formed by a ball and a raceway: the contact ellipse, whose surfaces act as plates, and,
+// on request, the surroundings of the ellipse, which also exist if there is no contact
+// (docs/fix_bearing_capacitance).
 #ifndef RACEWAY_FILM_CAPACITOR_H
 #define RACEWAY_FILM_CAPACITOR_H
 
@@ -16,19 +17,22 @@ enum class PermittivityAt { maximum, mean, two_thirds };    // Hertz contact pre
                                                             // permittivity is evaluated
 enum class Surroundings { none, flooded, dry, cavitated };
 
-// Settings of the capacitor.
+// Settings of the capacitor model.
 struct CapacitorModel {
   double permittivity = 0.0;    // relative, of the lubricant at ambient pressure; 0: no capacitor
-  double film_floor = 1e-9;     // m, a thinner film would be treated as a short circuit
+  double film_floor = 1e-9;     // m, lower limit of the film thickness; a thinner film would amount
+                                // to a short circuit
   PermittivityAt at = PermittivityAt::maximum;
   bool rough = false;
   Surroundings surroundings = Surroundings::none;
-  double permittivity_outlet = 1.0;    // relative, medium in the downstream half when cavitated
-  double inner_shoulder = 0.0, outer_shoulder = 0.0;    // m, diameters; 0: default groove depth
+  double permittivity_outlet = 1.0;    // relative, of the medium in the downstream half if
+                                       // cavitated
+  double inner_shoulder = 0.0, outer_shoulder = 0.0;    // shoulder diameters, m; 0: default groove
+                                                        // depth
 
   bool surrounded() const { return surroundings != Surroundings::none; }
-  // Returns the relative permittivity of the gap outside the ellipse; if cavitated, the mean of the
-  // two halves, which are of equal size.
+  // Returns the relative permittivity of the gap outside the ellipse; if cavitated, this is the
+  // mean over the two halves, which are of equal size.
   double outside() const
   {
     return surroundings == Surroundings::flooded ? permittivity
@@ -55,7 +59,7 @@ struct CapacitorModel {
 // Central film thickness (eq 9) and capacitance of the ellipse; separation and capacitance of the
 // surroundings, which are 0 unless requested.
 template <class T> struct FilmCapacitorT {
-  T h_c, capacitance;       // m, F; 0 without contact
+  T h_c, capacitance;       // m and F; 0 if there is no contact
   T separation, outside;    // m, F
   T total() const { return capacitance + outside; }
 };
@@ -69,7 +73,8 @@ RACEWAY_INLINE T film_permittivity(const CapacitorModel &m, const T &largest_pre
   return permittivity_at(m.permittivity, largest_pressure);
 }
 
-// Returns the film thickness by the power law at any load; c provides the sliding speed.
+// Returns the film thickness according to the power law at any load. The sliding speed is taken
+// from c.
 template <class T>
 RACEWAY_INLINE T central_film(const RacewayPhysics &p, const RacewayConstantsT<T> &k,
                               const ContactStateT<T> &c, const FilmPointT<T> &at)
@@ -98,12 +103,12 @@ RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const C
 // A raceway and the surroundings of its contacts.
 //
 // The separation is the film thickness at the contact load, but at least at the larger of 0.1 N and
-// Q_u = m_b r_pitch omega_c^2, the load of a ball guided by the outer raceway alone. It is
-// therefore defined where the contact load vanishes. Without contact the separation is the gap if
-// the gap is larger. With film in the gap (part_film_gap) contacts begin at a gap. In this case the
-// gap is used once it exceeds the film, and the clearance is measured from the onset of contact, so
-// that capacitances are continuous at the onset. If a film has a thickness at any load, that
-// thickness is the separation.
+// Q_u = m_b r_pitch omega_c^2, the load of a ball that is guided by the outer raceway alone. It is
+// therefore defined even if the contact load vanishes. If there is no contact, the separation is
+// the gap, provided that the gap is larger. If the film is in the gap (part_film_gap), contacts
+// begin at a gap. In this case the gap is used once it exceeds the film thickness, and the
+// clearance is measured from the onset of contact, so that capacitances are continuous at the
+// onset. If the film law defines a thickness at any load, that thickness is the separation.
 class SurroundedRaceway {
  public:
   static constexpr double least_load = 0.1;    // N
@@ -128,8 +133,8 @@ class SurroundedRaceway {
     return shoulder_.reach(sine, cosine);
   }
 
-  // cage_speed is the orbital speed of the ball (rad/s). Without contact, the state contains
-  // position, overlap and entrainment speed.
+  // cage_speed is the orbital speed of the ball (rad/s). If there is no contact, the state contains
+  // the position, the overlap and the entrainment speed.
   template <class T, class Mask>
   RACEWAY_INLINE FilmCapacitorT<T> capacitor(const ContactStateT<T> &c, const Mask &live,
                                              const T &cage_speed) const
@@ -164,7 +169,7 @@ class SurroundedRaceway {
  private:
   template <class T> struct Films {
     RacewayConstantsT<T> law;
-    T h, apart, ln_apart;    // m, film at the load; film at the limited load; ln of `apart`
+    T h, apart, ln_apart;    // film thickness at the load and at the limited load, m; ln of `apart`
     T ln_load;               // logarithm of the load that determines the film thickness
     T begins;                // m, gap at the onset of contact
   };
@@ -225,7 +230,7 @@ class SurroundedRaceway {
   RACEWAY_INLINE T integral(const ContactStateT<T> &c, const Films<T> &f, const Mask &live,
                             const T &h, const T &ln_film, const T &play) const
   {
-    // exact at zero contact angle, like the constants of the law
+    // at zero contact angle the reach is exact, as are the constants of the law
     const auto oblique = 1.0 - c.cos_angle >= 1e-12;
     const GapShapeT<T> s =
         any(oblique)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Electrical quantities of a bearing at one instant: leakage resistance, impedance, smallest
-// voltage at which a film fails, and energy of the resulting discharge (docs/electric, Breakdown
-// and Impedance).
+// Electrical quantities of a bearing at one instant: its leakage resistance, its impedance, the
+// smallest voltage at which a film fails, and the energy of the resulting discharge (docs/electric,
+// Breakdown and Impedance).
 #ifndef RACEWAY_FILM_FIGURES_H
 #define RACEWAY_FILM_FIGURES_H
 
@@ -11,7 +11,7 @@
 
 namespace raceway {
 
-// Requested quantities; 0: not requested.
+// Inputs for the requested quantities; 0: not requested.
 struct FilmQuestions {
   double resistivity = 0.0;    // of the lubricant, ohm m
   double frequency = 0.0;      // Hz
@@ -25,9 +25,9 @@ struct SampledFilm {
   double capacitance = 0.0;    // F
   double thickness = 0.0;      // m
   double roughness = 0.0;      // m, composite
-  double paths = 0.0;          // m, resistivity of the oil divided by the resistance of the film
+  double paths = 0.0;          // resistivity of the oil divided by the resistance of the film, m
 
-  // Adds another film between the same ball and ring; the thinner of the two fails.
+  // Adds another film between the same ball and ring. The thinner of the two is the one that fails.
   void add(const SampledFilm &beside)
   {
     if (!(beside.capacitance > 0.0)) return;
@@ -47,8 +47,8 @@ struct SampledBall {
 struct FilmFigures {
   double leak = 0.0;                      // ohm, for direct current
   double impedance = 0.0, phase = 0.0;    // ohm, rad
-  double threshold = 0.0, local = 0.0;    // V, breakdown voltage from the mean and from the local
-                                          // film thickness
+  double threshold = 0.0, local = 0.0;    // V, breakdown voltage computed from the mean and from
+                                          // the local film thickness
   double energy = 0.0;                    // J, energy stored at the voltage `threshold`
 };
 
@@ -65,7 +65,8 @@ inline double wet_share(Surroundings s)
   return s == Surroundings::flooded ? 1.0 : s == Surroundings::cavitated ? 0.5 : 0.0;
 }
 
-// Returns the sample of a capacitor with this contact ellipse (m^2) and composite roughness (m).
+// Returns the sample for a capacitor with the given area of the contact ellipse (m^2) and composite
+// roughness (m).
 inline SampledFilm sampled_film(const CapacitorModel &m, const FilmCapacitorT<double> &c,
                                 double area, double roughness)
 {
@@ -79,8 +80,8 @@ inline SampledFilm sampled_film(const CapacitorModel &m, const FilmCapacitorT<do
   return f;
 }
 
-// Computes the results for the films of all balls; `beside` (F) is a capacitance between the rings,
-// in parallel with the films.
+// Computes the results for the films of all balls; `beside` (F) is a capacitance between the rings
+// that is in parallel with the films.
 inline FilmFigures film_figures(const FilmQuestions &ask, const std::vector<SampledBall> &balls,
                                 double beside)
 {

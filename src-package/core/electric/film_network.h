@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The electrical network of a bearing: balls that float between two films, the inner ring, and the
-// outer ring, which is the frame (docs/electric_circuit, Network). The unknowns are charges; the
-// cost of a point in time is O(balls).
+// outer ring, which is the frame (docs/electric_circuit, Network). The unknowns are charges. The
+// cost per point in time is proportional to the number of balls.
 #ifndef RACEWAY_FILM_NETWORK_H
 #define RACEWAY_FILM_NETWORK_H
 
@@ -11,7 +11,7 @@
 
 namespace raceway {
 
-// One film at one point in time. A film with capacitance 0 is open and carries no displacement
+// A film at one point in time. A film with capacitance 0 is open and carries no displacement
 // current.
 struct CircuitFilm {
   double capacitance = 0.0;                                  // F
@@ -21,13 +21,14 @@ struct CircuitFilm {
 struct BallFilms {
   CircuitFilm inner, outer;
 };
-using BearingFilms = std::vector<BallFilms>;    // by ball
+using BearingFilms = std::vector<BallFilms>;    // indexed by ball
 
 // Elements between the rings at one point in time.
 struct OuterPoint {
   double beside = 0.0;         // F, from the inner ring to the frame
   double coupling = 0.0;       // F, from the inner ring to the driving voltage
-  double conductance = 0.0;    // S, parallel to `coupling`; infinite: ring at driving voltage
+  double conductance = 0.0;    // S, in parallel with `coupling`; infinite: the ring is at the
+                               // driving voltage
   double driving = 0.0;        // V
 
   bool stiff() const { return std::isinf(conductance); }
@@ -48,8 +49,8 @@ struct StepCharges {
 
 inline double inverse_or_zero(double x) { return x != 0.0 ? 1.0 / x : 0.0; }
 
-// Computes voltages (V) from `charge`, with conductances times `length` (s) added to the
-// capacitances.
+// Computes the voltages (V) that belong to `charge`. Conductances times `length` (s) are added to
+// the capacitances.
 inline void find_voltages(const BearingFilms &films, const OuterPoint &outer, double length,
                           const NodeValues &charge, NodeValues &voltage)
 {
@@ -131,8 +132,8 @@ inline OuterPoint between(const OuterPoint &from, const OuterPoint &to, double s
   return p;
 }
 
-// Performs one step of `length` (s) to the films and the outer circuit at the end of the step, by a
-// two-stage SDIRK method that is L-stable and of second order.
+// Performs one step of `length` (s), at the end of which the films and the outer circuit are those
+// given. The method is a two-stage SDIRK method that is L-stable and of second order.
 inline void network_step(const BearingFilms &from, const BearingFilms &to,
                          const OuterPoint &outer_from, const OuterPoint &outer_to, double length,
                          NodeValues &charge, NodeValues &voltage, StepCharges &moved)

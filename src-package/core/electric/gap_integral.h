@@ -2,20 +2,21 @@
 // The integral of dA/gap over the area outside the contact ellipse, m. Multiplied by the
 // permittivity, it gives the capacitance of this area (docs/fix_bearing_capacitance, Description).
 //
-// Under load, with the film thickness h within the ellipse and the Hertz gap g outside:
+// For a loaded contact with the film thickness h within the ellipse and the Hertz gap g outside it:
 //   I = 4 kappa Ebar R {G + pi P sqrt(2 R_x g_s)/b},  g_s = overlap/Fbar,  H = h/g_s,
-// where G accounts for the area beside the ellipse (strips along rolling, each a line contact; a
-// function of H alone) and P for the area beyond the ends of the ellipse, along the groove's
-// cross-section up to S. Both are fits to integrals, accurate to 1 % of the capacitance of plates
-// and surroundings together for conformities from 0.505 to 0.54, h from 20 nm to 2 um, and loads up
-// to 3 kN on a 6208.
+// where G accounts for the area beside the ellipse, which is treated as strips along rolling, each
+// of them a line contact, and depends only on H. P accounts for the area beyond the ends of the
+// ellipse, along the groove's cross-section up to S. Both are fits to integrals, accurate to 1 % of
+// the capacitance of plates and surroundings together for conformities from 0.505 to 0.54, h from
+// 20 nm to 2 um, and loads up to 3 kN on a 6208.
 //
-// Without load, at the gap g_0, the integral is the limit of the above form at zero load with h =
-// g_0, so that both forms agree:
+// If there is no load and the gap is g_0, the integral is the limit of the above form for zero load
+// and h = g_0, so that both forms agree:
 //   I = 4 pi sqrt(R_x R_y') asinh(S/sqrt(2 R_y' g_0)),  R_y' = Fbar a^2/(2 e overlap c),
 // e = ln(4 kappa) - 1. At c = 1, R_y' equals the radius R_y across the groove to within 1 %. c is 1
-// - play/(r_c - R_b): with clearance, the centres of ball and groove are closer together and the
-// gap is flatter. Beyond the position of concentric circles c < 0, and asinh becomes asin.
+// - play/(r_c - R_b): if there is clearance, the centres of the ball and of the groove's
+// cross-section are closer together, and the gap is flatter. Beyond the position of concentric
+// circles c < 0, and asinh becomes asin.
 //
 // 4 kappa Ebar R = 2 Fbar a b/overlap and sqrt(2 R_x g_s)/b do not depend on the load, and Fbar =
 // pi E' a/(3 K sqrt(overlap)), so all quantities follow from the constants of the contact law
@@ -27,7 +28,7 @@
 
 namespace raceway {
 
-// The part that does not depend on load and film.
+// The part of the integral that depends neither on the load nor on the film.
 template <class T> struct GapShapeT {
   T a;        // sqrt(m), semi-axis across the groove divided by sqrt(overlap)
   T Fbar;     // overlap/g_s
@@ -40,8 +41,8 @@ template <class T> struct GapShapeT {
 };
 using GapShape = GapShapeT<double>;
 
-// Eprime is defined in hertz.h (Pa), and R_x is the radius along rolling (m). An ellipse that is
-// longer along rolling, which does not occur in a groove, is treated as a circle.
+// Eprime is defined in hertz.h (Pa), and R_x is the radius along rolling (m). An ellipse whose
+// longer axis is along rolling, which does not occur in a groove, is treated as a circle.
 template <class T>
 RACEWAY_INLINE GapShapeT<T> gap_shape(const RacewayConstantsT<T> &k, double Eprime, const T &Rx)
 {
@@ -86,8 +87,8 @@ template <class T> struct GapEnd {
   }
 };
 
-// The gap of a loaded contact, from the square root of the overlap (sqrt(m)), the logarithms of the
-// load (N) and of h (m), and h itself.
+// The gap of a loaded contact, computed from the square root of the overlap (sqrt(m)), the
+// logarithms of the load (N) and of h (m), and h itself.
 template <class T> struct LoadedGapT {
   const GapShapeT<T> &shape;
   T root, H, end, G;
@@ -95,7 +96,8 @@ template <class T> struct LoadedGapT {
   RACEWAY_INLINE LoadedGapT(const GapShapeT<T> &s, const T &any_root, const T &ln_load, const T &h,
                             const T &ln_h) : shape(s)
   {
-    const auto pressed = any_root > 1e-8;    // otherwise the limit without load, within rounding
+    const auto pressed = any_root > 1e-8;    // otherwise the limit for zero load is used, to
+                                             // rounding accuracy
     root = where(pressed, any_root, 1e-8);
     T ln_X = (s.log_H + ln_h) * (1.0 / 6) - ln_load * (1.0 / 9);
     if (any(!pressed))
@@ -126,9 +128,9 @@ RACEWAY_INLINE Lane sine_stretch(const Lane &z)
   return Lane{sine_stretch(z[0]), sine_stretch(z[1]), sine_stretch(z[2]), sine_stretch(z[3])};
 }
 
-// The gap of surfaces without contact, for the gap width g (m) and c; G is 0.
+// The gap between surfaces that do not touch, for the gap width g (m) and c. G is 0.
 template <class T> struct OpenGapT {
-  T wider;    // 1/sqrt(c); for concentric circles its limit, to rounding accuracy
+  T wider;    // 1/sqrt(c) or, for concentric circles, its limit to rounding accuracy
 
   RACEWAY_INLINE OpenGapT(const GapShapeT<T> &s, const T &g, const T &any_c) : c(any_c)
   {

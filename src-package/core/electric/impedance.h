@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Impedance of films, balls and a bearing, and the inverse calculation for instrument readings
-// (docs/electric, Impedance). A film is a capacitor in parallel with its leakage resistance: Z =
-// 1/(G + j omega C).
+// Impedance of films, balls and a bearing, and the inverse calculation, which evaluates instrument
+// readings (docs/electric, Impedance). A film is a capacitor in parallel with its leakage
+// resistance: Z = 1/(G + j omega C).
 #ifndef RACEWAY_IMPEDANCE_H
 #define RACEWAY_IMPEDANCE_H
 
@@ -19,7 +19,7 @@ inline Complex admittance(const CircuitFilm &f, double omega)
   return {f.conductance, omega * f.capacitance};
 }
 
-// Returns the admittance of a bearing, S, with both films of a ball in series and the balls in
+// Returns the admittance of a bearing, S. Both films of a ball are in series, and the balls are in
 // parallel. A ball with an open film contributes nothing.
 inline Complex admittance(const BearingFilms &films, double omega)
 {

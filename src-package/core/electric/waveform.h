@@ -20,10 +20,11 @@ struct Waveform {
   enum Kind { constant, sine, common_mode, table } kind = constant;
   double voltage = 0.0;                      // V, constant voltage, amplitude, or DC link voltage
   double frequency = 0.0, phase = 0.0;       // Hz, rad, for a sine or for the phases of an inverter
-  double carrier = 0.0, modulation = 0.0;    // Hz; 0 to 1
-  std::vector<double> times, voltages;       // s, in ascending order; V, linearly interpolated
+  double carrier = 0.0, modulation = 0.0;    // carrier frequency, Hz; modulation index, from 0 to 1
+  std::vector<double> times, voltages;       // times (s) in ascending order and voltages (V), which
+                                             // are interpolated linearly
 
-  // Returns the shortest period, s; infinite if the waveform does not limit the step.
+  // Returns the shortest period, s. It is infinite if the waveform does not limit the step.
   double shortest() const
   {
     if (kind == sine) return 1.0 / frequency;
@@ -41,8 +42,9 @@ struct Waveform {
     return kind == table ? between(t) : voltage;
   }
 
-  // Returns the edges after `from` up to `to` (s), in order: one for each row of a table and for
-  // each switching of an inverter leg. Legs that switch at the same time do so one after another.
+  // Returns the edges after `from` and up to `to` (s), in order. There is one for each row of a
+  // table and one for each time an inverter leg switches. Legs that switch at the same time do so
+  // one after another.
   std::vector<Edge> edges(double from, double to) const
   {
     std::vector<Edge> found;
@@ -51,7 +53,8 @@ struct Waveform {
         if (times[k] > from && times[k] <= to)
           found.push_back({times[k], voltages[k], voltages[k]});
     if (kind != common_mode) return found;
-    std::vector<std::pair<double, int>> switched;    // time, change in the number of upper legs
+    std::vector<std::pair<double, int>> switched;    // time, change in the number of legs at plus
+                                                     // half the link voltage
     for (int leg = 0; leg < 3; ++leg)
       for (double lo = from; lo < to;) {
         double hi = std::fmin(to, 0.5 * (std::floor(2.0 * carrier * lo) + 1.0) / carrier);
@@ -73,7 +76,7 @@ struct Waveform {
  private:
   static constexpr double turn = 2.0 * 3.14159265358979323846;
 
-  // Returns whether a leg is at plus half the link voltage, i.e. whether its sine is at or above a
+  // Returns true if a leg is at plus half the link voltage, i.e. if its sine is at or above a
   // triangle wave that starts at +1; otherwise the leg is at minus half the link voltage.
   bool up(int leg, double t) const
   {
@@ -84,8 +87,8 @@ struct Waveform {
   int legs_up(double t) const { return up(0, t) + up(1, t) + up(2, t); }
   double mean(int legs) const { return voltage * (legs / 3.0 - 0.5); }
 
-  // Returns the first time after `lo` at which a leg has the state that it has at `hi`, by
-  // bisection.
+  // Finds, by bisection, the first time after `lo` at which a leg has the state that it has at
+  // `hi`.
   double instant(int leg, double lo, double hi) const
   {
     const bool was = up(leg, lo);
@@ -96,7 +99,7 @@ struct Waveform {
     }
   }
 
-  // Interpolates the table, which is constant before the first and after the last time.
+  // Interpolates the table. The voltage is constant before the first and after the last time.
   double between(double t) const
   {
     const size_t k = std::upper_bound(times.begin(), times.end(), t) - times.begin();

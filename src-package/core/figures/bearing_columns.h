@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Columns for balls, for the motion of rings and for the constant data of a bearing, with one line
-// per column in numerical order. Sums and extremes are in bearing_figures.h. Independent of the
-// host.
+// per column in numerical order. Sums and extremes are in bearing_figures.h. This file does not
+// depend on the host.
 #ifndef BEARING_BEARING_COLUMNS_H
 #define BEARING_BEARING_COLUMNS_H
 

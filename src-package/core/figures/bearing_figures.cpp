@@ -72,7 +72,8 @@ void BearingFigures::add(const BallFigures &b)
   orbit += b.orbit;
   for (int k = 0; k < raceway::most_loss_columns; ++k) loss[k] += b.loss[k];
   cage_loss += b.cage_loss;
-  if (!(b.cage_force <= cage_force)) cage_force = b.cage_force;    // NaN if any value is NaN
+  if (!(b.cage_force <= cage_force)) cage_force = b.cage_force;    // the result is NaN if any value
+                                                                   // is NaN
   const double series = raceway::series_capacitance(b.capacitance[0], b.capacitance[1]),
                surrounded = raceway::series_capacitance(b.whole[0], b.whole[1]);
   capacitance += series;
@@ -101,7 +102,7 @@ const Figure cage_force = {
     0,
     true};
 
-// Returns the set of the parts with this property.
+// Returns the set of the parts that have the given property.
 unsigned parts_with(bool raceway::LawFacts::*fact)
 {
   unsigned parts = 0;
@@ -110,8 +111,8 @@ unsigned parts_with(bool raceway::LawFacts::*fact)
   return parts;
 }
 
-// Adds the losses with the given value of `usual`. A law with rolling friction has all of these
-// losses; the loss of a part that is absent is 0.
+// Adds the losses with the given value of `usual`. All of these losses are columns in every law
+// with rolling friction; the loss of a part that is absent is 0.
 void add_losses(std::vector<Figure> &list, bool usual)
 {
   const unsigned couples = parts_with(&raceway::LawFacts::couples);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Results for a bearing or a ring: sums and extremes over the contacts of its balls. They are used
-// by records and computes. The losses in each column are defined by the parts of the law
-// (loss_table.h). Independent of the host.
+// in records and computes. The losses in each column are defined by the parts of the law
+// (loss_table.h). This file does not depend on the host.
 #ifndef BEARING_BEARING_FIGURES_H
 #define BEARING_BEARING_FIGURES_H
 
@@ -25,16 +25,16 @@ struct BallFigures {
 
   static constexpr size_t numbers() { return sizeof(BallFigures) / sizeof(double); }
   void contact(const ContactView &);    // adds a loaded contact
-  void gap(const ContactView &);        // adds only the surroundings of surfaces without contact
+  void gap(const ContactView &);        // adds only the surroundings of surfaces that do not touch
   // Adds a contact with a cage ball or another ball. The loss (W) is the part that is assigned to
   // this ball; the force is in N.
   void cage(double loss, double force);
-  // Adds the results that combine both contacts of a ball: capacitances in series, and whether both
-  // raceways are loaded.
+  // Adds the results that combine both contacts of a ball: its capacitances in series, and whether
+  // both of its raceways are loaded.
   void take_pairs(const BallFigures &);
 };
 
-// Sums and extremes over the balls.
+// Sums and extremes over the balls of a bearing or ring.
 struct BearingFigures {
   double balls = 0.0, contacts = 0.0, loaded_balls = 0.0, load[2] = {}, pressure[2] = {};
   double h_min = HUGE_VAL, lambda = HUGE_VAL;
@@ -48,19 +48,19 @@ struct BearingFigures {
   double cage_speed() const { return balls > 0.0 ? orbit / balls : 0.0; }    // rad/s
 };
 
-// A result as a column of an output.
+// A result that forms a column of an output.
 struct Figure {
   raceway::Column is;
   double (*of)(const BearingFigures &, int);
   raceway::Needs needs = raceway::Needs::nothing;
   unsigned parts = 0;      // parts of which the law must contain at least one; 0 for any law
-  bool spheres = false;    // available only if balls touch cage balls or one another
+  bool spheres = false;    // available only if balls may touch cage balls or one another
   int loss = 0;            // second argument of `of`, a column of loss_table()
   const char *key = "";    // key of a loss in losses_W of `raceway summary`
 
   double value(const BearingFigures &f) const { return of(f, loss); }
-  // Returns true if the result is available in a run with these properties, i.e. film, capacitance,
-  // surroundings, law, and contacts of spheres.
+  // Returns true if the result is available in a run that has the given properties, i.e. film,
+  // capacitance, surroundings, contact law, and contacts between spheres.
   bool given(bool film, bool capacitance, bool surroundings, unsigned law, bool touches) const
   {
     using raceway::Needs;

@@ -23,8 +23,8 @@ void CapacitorTable::plan(const ContactTable &table, const CapacitorModel &model
   }
 }
 
-// Contacts that touch are grouped, because four contacts of the same kind cost less than a mix of
-// both kinds.
+// Contacts that touch are grouped, because evaluating four contacts of the same kind takes less
+// time than evaluating a mix of open and closed ones.
 void CapacitorTable::fill(const ContactTable &table)
 {
   for (Batch &b : batches_) {
@@ -40,7 +40,7 @@ RACEWAY_LANES void CapacitorTable::fill(const ContactTable &table, const Batch &
   const bool slides = p.factors.any, gap = p.facts().film_in_gap;
   ContactStateT<Lane> c;
   for (int first = 0; first < n; first += lanes) {
-    if (first + 1 == n) {    // a single contact costs less than four
+    if (first + 1 == n) {    // a single contact takes less time than four
       const RacewayContact &one = table.raceway[batch.rows[first]];
       of_[batch.rows[first]] = batch.raceway.capacitor(one.state, one.live, one.orbit);
       break;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Capacitors of the contacts in the contact table, with their surroundings. They are computed once
-// each time the table has been filled, four contacts of a raceway at a time.
+// Capacitors formed by the contacts in the contact table, including their surroundings. They are
+// computed once each time the table has been filled, for four contacts of a raceway at a time.
 #ifndef BEARING_CAPACITOR_TABLE_H
 #define BEARING_CAPACITOR_TABLE_H
 
@@ -13,7 +13,7 @@ namespace bearing {
 
 class CapacitorTable {
  public:
-  // Selects the contacts. Must be called when the indices of the table have changed.
+  // Selects the contacts. Must be called whenever the indices of the table have changed.
   void plan(const ContactTable &, const raceway::CapacitorModel &,
             const std::function<bool(const RacewayContact &)> &counts);
   // Must be called after the table has been filled.

@@ -66,8 +66,8 @@ const PlaceColumn place_columns[] = {
      Needs::surroundings},
 };
 
-// Outputs keep the column order of versions in which parts had no columns. All other columns follow
-// in the order of the parts.
+// Outputs keep the column order used in versions in which parts did not define columns. All other
+// columns follow in the order of the parts.
 const char *const first[] = {
     "ball",       "ring",           "raceway",       "azimuth", "angle",    "overlap",
     "load",       "normal",         "stiffness",     "damping", "a",        "b",

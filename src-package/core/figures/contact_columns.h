@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All columns of a contact: columns of its motions, columns of the parts of the law, and columns
-// that need more than the contact's state (ContactView). Independent of the host.
+// All columns of a contact: columns for its motions, columns defined by the parts of the law, and
+// columns that need more than the contact's state (ContactView). This file does not depend on the
+// host.
 #ifndef BEARING_CONTACT_COLUMNS_H
 #define BEARING_CONTACT_COLUMNS_H
 
@@ -12,7 +13,7 @@
 
 namespace bearing {
 
-// A contact as the input of a column.
+// A contact as it is passed to a column.
 struct ContactView {
   double ball, ring;    // atom numbers
   const raceway::RacewayPhysics &raceway;
@@ -22,7 +23,7 @@ struct ContactView {
 };
 
 // Returns the azimuth (rad) of a direction about the bearing axis, in (-pi, pi], measured from the
-// lab axis that follows the bearing axis (x for axis z).
+// axis of the lab frame that follows the bearing axis in cyclic order (x for axis z).
 double azimuth(const raceway::Vec3 &u, int axis);
 
 class ContactColumn {
@@ -45,7 +46,7 @@ class ContactColumn {
   }
   bool needs_film() const { return needs != raceway::Needs::nothing; }
   bool needs_capacitance() const { return needs >= raceway::Needs::capacitance; }
-  // Returns true if the column has a value also for surfaces without contact.
+  // Returns true if the column also has a value for surfaces that do not touch.
   bool needs_surroundings() const { return needs == raceway::Needs::surroundings; }
 
   raceway::Column is;

@@ -13,21 +13,21 @@ namespace bearing {
 
 using ContactSelection = std::vector<const ContactColumn *>;
 
-// Data that a pair style and its fixes provide.
+// Data that are provided by a pair style and its fixes.
 struct Offer {
   bool film, capacitance, surroundings, many_grooves;
   bool gives(const ContactColumn &) const;
 };
 
-// Adds the column `name`, or the available columns of `all` or `usual`. Stops with an error if the
-// name is unknown, or if the bearing is dry and the column needs a lubricant.
+// Adds the column `name`, or the available columns from the set `all` or `usual`. Stops with an
+// error if the name is unknown, or if the bearing is dry and the column needs a lubricant.
 void select_columns(const Arguments &, const std::string &name, const Offer &, ContactSelection &);
 
-// Input for the columns in addition to the contact.
+// Input that columns need in addition to the contact.
 struct ContactContext {
   int axis = 2;
   std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)> capacitor;    // optional
-  bool surroundings = false;    // true if also surfaces without contact have values
+  bool surroundings = false;    // true if surfaces that do not touch also have values
 
   ContactView view(const RacewayContact &c) const
   {
@@ -38,7 +38,7 @@ struct ContactContext {
 };
 
 // Returns the speed (rad/s) at which a ball orbits about a ring, from its position and velocity
-// relative to the ring's centre. It is also defined without contact.
+// relative to the ring's centre. It is also defined if the ball does not touch the ring.
 double orbit(const raceway::Vec3 &d, const raceway::Vec3 &dv, const raceway::Vec3 &axis,
              const raceway::RacewayPhysics &);
 

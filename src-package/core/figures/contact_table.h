@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The central data, with one row per ball and raceway that may touch. The pair style fills the
-// table once per step. Forces, step control, capacitance and all output read it, so no contact is
-// computed twice.
+// The central table, with one row for each pair of a ball and a raceway that may touch. The pair
+// style fills it once per step. Forces, step control, capacitance and all output are computed from
+// it, so no contact is computed twice.
 #ifndef BEARING_CONTACT_TABLE_H
 #define BEARING_CONTACT_TABLE_H
 
@@ -13,7 +13,7 @@
 
 namespace bearing {
 
-// A ball and a groove. A ring may have several grooves per ball (raceway->number).
+// A ball and a groove that may touch. A ring may have several grooves per ball (raceway->number).
 struct RacewayContact {
   tag_t ball = 0, ring = 0;
   int i_ball = -1, i_ring = -1;    // local indices, valid until the next neighbour build
@@ -23,9 +23,9 @@ struct RacewayContact {
   const raceway::BallProfile *ball_profile = nullptr;    // null if the ball is a sphere
   double *kept = nullptr;                                // state variables of the law
   bool live = false;                                     // whether the surfaces overlap
-  raceway::ContactState state;    // at this step; if not live, only the frame is set
-  // Speed (rad/s) of the ball about the ring, if the pair style evaluates gaps. Without contact,
-  // the state then consists of frame, overlap and entrainment speed.
+  raceway::ContactState state;    // state at this step; if not live, only the frame is set
+  // Speed (rad/s) of the ball about the ring, if the pair style evaluates gaps. If there is no
+  // contact, the state then consists of the frame, the overlap and the entrainment speed.
   double orbit = 0.0;
 
   bool flawed() const { return profile || ball_profile; }
@@ -33,7 +33,8 @@ struct RacewayContact {
   int groove() const { return raceway->number; }
 };
 
-// Two spheres in frictionless contact, either a ball and a cage ball, or two balls without a cage.
+// Two spheres in frictionless contact, either a ball and a cage ball, or two balls of a bearing
+// without a cage.
 struct SphereContact {
   tag_t tag_i = 0, tag_j = 0;    // tag_i < tag_j
   int i = -1, j = -1;
@@ -49,7 +50,8 @@ struct PocketRow {
   tag_t ball = 0, cage = 0;
   double mass = 0.0;                                     // kg, reduced mass
   double stiffness = 0.0, damping = 0.0, force = 0.0;    // at this step, in N/m, N s/m and N
-  double loss = 0.0;                                     // W, dissipated in wall, friction and oil
+  double loss = 0.0;                                     // W, dissipated in the wall, by friction
+                                                         // and in the oil
 };
 
 struct ContactTable {
@@ -64,8 +66,9 @@ struct ContactTable {
     return n;
   }
 
-  // Returns true for the row that represents its ball and ring if a single value is needed. Of the
-  // consecutive rows of a ball and a ring (one per groove), this is the row with the largest load.
+  // Returns true for the row that represents its ball and ring if a single value is needed. Among
+  // the consecutive rows for a ball and a ring (one per groove), this is the row with the largest
+  // load.
   bool leads(const RacewayContact &c) const
   {
     const RacewayContact *const first = raceway.data(), *const end = first + raceway.size();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Output of the fixes as f_ID[k], with one line per value in numerical order. The sizes of the
-// vectors and the tables in the documentation are generated from this file. Independent of the
-// host.
+// vectors and the tables in the documentation are derived from this file, which does not depend on
+// the host.
 #ifndef BEARING_FIX_COLUMNS_H
 #define BEARING_FIX_COLUMNS_H
 
@@ -12,8 +12,8 @@ namespace bearing {
 using raceway::as_whole;
 using raceway::Column;
 
-// ---- fix bearing/ring, one row per ring; the radial axes are the two lab axes that are normal to
-// the bearing axis
+// ---- fix bearing/ring, one row per ring; the radial axes are the two axes of the lab frame that
+// are normal to the bearing axis
 namespace of_fix_ring {
 enum {
   X,
@@ -98,7 +98,7 @@ const Column list[N] = {
 };
 }    // namespace of_cage
 
-// ---- fix bearing/implicit: totals over all its bearings since the start of the run
+// ---- fix bearing/implicit: totals over all bearings of the fix since the start of the run
 namespace of_fix_implicit {
 enum {
   MEAN_STEP,
@@ -132,7 +132,7 @@ const Column list[N] = {
 };
 }    // namespace of_fix_implicit
 
-// ---- fix bearing/cage: at the last step
+// ---- fix bearing/cage: values at the last step
 namespace of_fix_cage {
 enum { SUM, LARGEST, N };
 const Column list[N] = {
@@ -189,8 +189,8 @@ const Column list[N] = {
 };
 }    // namespace of_fix_capacitance
 
-// ---- fix bearing/circuit: at the last sample, after its discharge; work, heat and numbers are
-// totals since the first sample
+// ---- fix bearing/circuit: values at the last sample, after its discharge; work, heat and counts
+// are totals since the first sample
 namespace of_fix_circuit {
 enum {
   VOLTAGE,
@@ -233,7 +233,7 @@ const Column list[N] = {
 };
 }    // namespace of_fix_circuit
 
-// ---- fix bearing/heat, also the columns of its file
+// ---- fix bearing/heat, these are also the columns of its file
 namespace of_fix_heat {
 enum {
   TIME,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Settling of a bearing, i.e. the change of its means from the first to the second half of the last
-// samples. If each half is a whole ball pass, ball-pass ripple does not affect the change.
-// Independent of the host.
+// Settling of a bearing, i.e. the change in its mean values from the first to the second half of
+// the most recent samples. If each half covers a whole ball pass, ball-pass ripple does not affect
+// the change. This file does not depend on the host.
 #ifndef BEARING_SETTLING_H
 #define BEARING_SETTLING_H
 
@@ -15,7 +15,8 @@ namespace bearing {
 // One sample. The struct contains only doubles, so that it can be sent and written to restart
 // files.
 struct SettlingSample {
-  double torque = 0.0;          // friction torque, N m; at steady speed also power in W
+  double torque = 0.0;          // N m, friction torque; at steady speed, the friction power (W) may
+                                // be used instead
   double load[2] = {};          // N, largest loads on the inner and the outer raceway
   double cage_speed = 0.0;      // rad/s
   double pocket_force = 0.0;    // N, largest force of a ball on its pocket in a one-piece cage
@@ -25,7 +26,7 @@ struct SettlingSample {
 
   // Adds the spin axis of a ball, given the load of the ball on the raceways (N), its position
   // relative to the bearing's centre (m), its spin (rad/s) and the unit vector of the bearing's
-  // axis. A ball without spin has no spin axis.
+  // axis. A ball that does not spin has no spin axis.
   void ball(double load, const raceway::Vec3 &place, const raceway::Vec3 &spin,
             const raceway::Vec3 &bearing_axis)
   {
@@ -42,9 +43,9 @@ struct SettlingSample {
   }
 };
 
-// Relative changes. The change of the loads is the larger one of both raceways; the change of the
-// spin axis is an angle (rad). Pocket forces are impacts, which scatter, so only a decrease counts;
-// if they increase, the change is 0.
+// Relative changes. The change in load is the larger of the changes on the two raceways. The change
+// in spin axis is an angle (rad). Pocket forces are impacts, which scatter, so only a decrease
+// counts; if they increase, the change is 0.
 struct SettlingChanges {
   double torque = HUGE_VAL, load = HUGE_VAL, cage_speed = HUGE_VAL, spin_axis = HUGE_VAL,
          pocket_fall = HUGE_VAL;
@@ -77,11 +78,11 @@ class Settling {
     for (int k = 0; k < 3; ++k) now_.axis[k] += s.axis[k];
   }
 
-  // Returns true at the end of each half except for the first.
+  // Returns true at the end of every half except the first.
   bool known() const { return before_.count >= wanted_ && now_.count >= wanted_; }
 
-  // Returns the changes from the last half but one to the last half, which are infinite unless
-  // known().
+  // Returns the changes from the last half but one to the last half. They are infinite unless
+  // known() is true.
   SettlingChanges changes() const
   {
     if (!known()) return {};

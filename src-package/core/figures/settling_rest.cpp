@@ -4,15 +4,16 @@
 namespace bearing {
 
 using raceway::Vec3;
-using Series = std::vector<Vec3>;    // a quantity by ball pass; a scalar uses one component
+using Series = std::vector<Vec3>;    // values of a quantity, one per ball pass; a scalar uses one
+                                     // component
 
-// Largest ratio of two steps one ball pass apart. A mode that decays more slowly cannot be
+// Largest ratio of two steps that are one ball pass apart. A mode that decays more slowly cannot be
 // distinguished from a constant drift.
 static constexpr double slowest = 0.98;
 
 static double length(const Vec3 &v) { return std::sqrt(dot(v, v)); }
 
-// Returns the steps between the means over the last spans, at most three of them, in order.
+// Returns, in order, up to three steps between the means over the last spans.
 static Series steps_of(const Series &passes, size_t span)
 {
   const size_t spans = std::min<size_t>(4, passes.size() / span);
@@ -42,7 +43,7 @@ static bool scatters(const Series &steps)
   return steps.size() > 2 && squares / (static_cast<double>(steps.size()) - 1.0) >= dot(mean, mean);
 }
 
-// Returns the change per span if there is no drift, which is the mean step, but at least a third of
+// Returns the change per span for the case without drift: the mean step, but at least a third of
 // the last step.
 static double change(const Series &steps)
 {
@@ -59,7 +60,7 @@ static double rest_of_drift(const Series &steps, size_t span)
   }
   if (!(products > 0.0) || scatters(steps)) return 0.0;
   const double ratio = std::min(products / squares, std::pow(slowest, static_cast<double>(span)));
-  // a drift does not end abruptly
+  // a drift is assumed not to end abruptly
   const double last = std::max(length(steps.back()), ratio * length(steps[steps.size() - 2]));
   return last * ratio / (1.0 - ratio);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Deviation of a ball from a sphere, in its own axes: pits, waviness and tables. A direction from
-// the ball's centre has an azimuth about the third axis and a latitude measured from the equator.
+// Deviation of a ball from a sphere, in its body-fixed axes: pits, waviness and tables. A direction
+// from the ball's centre has an azimuth about the third axis and a latitude measured from the
+// equator.
 //
 // The depth at a contact is the depth in the direction of the contact normal, as for a raceway at
 // the ball's azimuth (raceway_profile.h). The path over a pit depends on the effective radius along
@@ -8,7 +9,7 @@
 //   depth = A cos(n azimuth + phase) cos^n(latitude),
 // which is smooth everywhere and equal to A cos(n azimuth + phase) on the equator. A table gives
 // the depth along the equator, which fades as cos^2(latitude), so the slope is zero at the poles.
-// The path over a table follows the same rule as on a raceway.
+// The path of the ball over a table follows the same rule as on a raceway.
 //
 // A pit narrower than the contact patch covers a strip of the patch from y1 to y2, measured from
 // the middle of the patch. The fraction of the load on the strip is half the difference between the
@@ -24,7 +25,7 @@
 namespace raceway {
 
 struct BallPitShape : NotchShape {
-  double latitude = 0.0;    // rad, latitude of the pit's centre
+  double latitude = 0.0;    // latitude of the pit's centre, rad
 };
 
 struct BallShape {
@@ -33,17 +34,20 @@ struct BallShape {
   std::vector<PeriodicCurve> tables;    // depth along the equator, m
 };
 
-// Derivatives of the depth with respect to the direction, along and across rolling (groove.h).
+// Derivatives of the depth with respect to the direction, along and across the rolling direction
+// (groove.h).
 template <class T> struct alignas(sizeof(T)) BallSlopesT {
   T along = T(), across = T();              // m/rad, derivatives of the depth
   T path_along = T(), path_across = T();    // derivatives of the azimuth in the ball's axes
-  T bend = T();                             // m, second derivative of waves and tables with respect
-                                            // to azimuth
-  T cross = T(), side = T();    // N, N m: stiffness between approach and azimuth, in azimuth
+  T bend = T();                             // m, second derivative of the depth of waves and tables
+                                            // with respect to azimuth
+  T cross = T(), side = T();    // stiffness that couples approach and azimuth, N; stiffness in
+                                // azimuth, N m
 };
 using BallSlopes = BallSlopesT<double>;
 
-// Contact normal and directions along and across rolling (groove.h), in the ball's own axes.
+// Contact normal and directions along and across the rolling direction (groove.h), in the ball's
+// body-fixed axes.
 struct BallView {
   Vec3 n, t, w;
 };
@@ -51,9 +55,9 @@ struct BallView {
 // The profile of one kind of ball on one kind of raceway.
 class BallProfile {
  public:
-  // The arguments are the radius of the ball and the effective radius along rolling, m; the
-  // semi-axis of the contact patch across the groove divided by sqrt(overlap), sqrt(m); and the
-  // stiffness of the contact, N/m^1.5.
+  // The arguments are the radius of the ball and the effective radius along rolling, in m; the
+  // semi-axis of the contact patch across the groove divided by sqrt(overlap), in sqrt(m); and the
+  // stiffness of the contact, in N/m^1.5.
   BallProfile(const BallShape &shape, double radius, double rolling, double ellipse,
               double stiffness) :
       radius_(radius), ellipse_(ellipse), stiffness_(stiffness), waves_(shape.waves)
@@ -66,8 +70,8 @@ class BallProfile {
     }
   }
 
-  // Returns the overlap (m) reduced by waves and tables. These are subtracted before a raceway's
-  // profile, whereas pits are subtracted after it.
+  // Returns the overlap (m) after subtracting the depth of waves and tables. They are subtracted
+  // before a raceway's profile is, whereas pits are subtracted after it.
   double all_round(double overlap, const BallView &view, BallSlopes &b) const
   {
     const Place at(view);
@@ -97,8 +101,8 @@ class BallProfile {
     return overlap;
   }
 
-  // Returns the overlap (m) reduced by pits; `energy` (J) and `follows` are defined in
-  // ProfiledContact.
+  // Returns the overlap (m) after subtracting the effect of pits. `energy` (J) and `follows` are
+  // defined in ProfiledContact.
   double pits(double d, const BallView &view, BallSlopes &b, double &energy, double &follows) const
   {
     if (pits_.empty()) return d;
@@ -113,7 +117,8 @@ class BallProfile {
     return d;
   }
 
-  // Returns the longest step (s) for a normal n that moves over the ball at the rate `moves` (1/s).
+  // Returns the longest permitted step (s) if the normal n moves over the ball at the rate `moves`
+  // (1/s).
   double longest_step(const Vec3 &n, const Vec3 &moves) const
   {
     const double round = n.x * n.x + n.y * n.y, speed = norm(moves);
@@ -190,7 +195,7 @@ class BallProfile {
   double radius_, ellipse_, stiffness_;    // m, sqrt(m), N/m^1.5
   std::vector<Wave> waves_;
   std::vector<PeriodicCurve> tables_;    // paths over the tables
-  std::vector<double> spacings_;         // rad, spacings of the tables as given
+  std::vector<double> spacings_;         // angular spacing of the points of each given table, rad
   std::vector<Pit> pits_;
 };
 

@@ -4,8 +4,8 @@
 
 namespace raceway {
 
-// Computes the force along both axes of the land's plane: oil film and, beyond the clearance,
-// contact of the surfaces.
+// Computes the force along both axes of the land's plane, which is due to the oil film and, beyond
+// the clearance, to contact between the surfaces.
 template <class T>
 static LandForce<T> in_plane(const CageRing &c, const T &x, const T &y, const T &vx, const T &vy,
                              double sum, double mass, LandContact &keep)
@@ -54,7 +54,7 @@ LandContact land_contact(const CageRing &c, const CageMotion &cage, const CageMo
   if (c.land.viscosity > 0.0)
     l.moment = e * (-land_couple(c.land, l.share) * (speed[0] - speed[1]));
   if (l.push > 0.0 && c.friction > 0.0) {
-    // the cage touches an inner land on the side opposite to the cage's displacement
+    // the cage touches an inner land on the side opposite to its displacement
     const Vec3 out = (l.axis[0] * at[0] + l.axis[1] * at[1]) * (1.0 / (l.share * c.land.clearance)),
                point = out * (c.guide == CageRing::by_inner ? -c.land.radius : c.land.radius);
     const Vec3 along = cross(e, out);
@@ -64,7 +64,7 @@ LandContact land_contact(const CageRing &c, const CageMotion &cage, const CageMo
     l.force += brake;
     l.moment += cross(point - d, brake);
   }
-  // power that the pair takes from both bodies; the part that the spring does not store is
+  // power that the contact extracts from both bodies; the part that is not stored in the spring is
   // dissipated
   const double taken = -dot(l.force, cage.v) + dot(l.force, ring.v + cross(ring.w, d)) -
                        dot(l.moment, cage.w - ring.w);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A one-piece cage: pockets at equal angles on the pitch circle, and a land that may guide it. Both
-// integrators use the same contact model for a ball and its pocket.
+// A one-piece cage: equally spaced pockets on the pitch circle, and a land that may guide the cage.
+// Both integrators use the same model for the contact between a ball and its pocket.
 //
 // A pocket is a slot along its radial axis p. Its half clearances are c_t along the pitch circle
-// and c_z along the bearing's axis. A cylindrical pocket leaves the ball free along p; a spherical
-// pocket also holds it along p. The contact between ball and wall follows damped_hertz.h or, if the
-// bars of the cage deform more than the contact does, pocket_wall.h. Coulomb friction opposes the
-// sliding of the ball's surface on the wall and is smoothed below `creep`; the relative spin shears
-// the oil in the pocket. Forces on ball and cage act through one point, so momentum and angular
-// momentum are conserved.
+// and c_z along the bearing's axis. In a cylindrical pocket the ball can move freely along p,
+// whereas a spherical pocket also holds it in this direction. The contact between ball and wall
+// follows damped_hertz.h or, if the bars of the cage deform more than the contact does,
+// pocket_wall.h. Coulomb friction, smoothed below the speed `creep`, opposes the sliding of the
+// ball's surface on the wall. The relative spin shears the oil in the pocket. Forces on ball and
+// cage act through one point, so momentum and angular momentum are conserved.
 #ifndef RACEWAY_CAGE_RING_H
 #define RACEWAY_CAGE_RING_H
 
@@ -28,15 +28,15 @@ struct CageRing {
   enum Guide { by_balls, by_inner, by_outer };
   int pockets = 0;
   bool spherical = false;
-  double pitch = 0.0, phase = 0.0;        // m, radius of the circle of pockets; rad, position of
-                                          // the first pocket
-  double along = 0.0, across = 0.0;       // m, half clearances along the circle and along the axis
+  double pitch = 0.0, phase = 0.0;        // radius of the circle of pockets, m; azimuth of the
+                                          // first pocket, rad
+  double along = 0.0, across = 0.0;       // half clearances along the circle and along the axis, m
   double stiffness = 0.0;                 // N/m^1.5, contact between ball and wall
-  double wall = 0.0;                      // N/m, wall of a pocket with flexible bars; 0: Hertz
-                                          // contact
-                                          // contact
+  double wall = 0.0;                      // N/m, stiffness of the wall of a pocket with flexible
+                                          // bars; 0: Hertz contact
   double mass = 0.0;                      // kg
-  double friction = 0.0, creep = 1e-2;    // between ball and wall; m/s
+  double friction = 0.0, creep = 1e-2;    // friction coefficient between ball and wall; creep
+                                          // speed, m/s
   double shear = 0.0;                     // N m s, pocket_shear()
   Guide guide = by_balls;
   LandGap land;
@@ -57,7 +57,7 @@ struct CageRing {
 
 // Returns the stiffness of a ball in the bore of its pocket, N/m^1.5. If the clearance on one side
 // is c, the radius of the bore is R + c; along the axis of a cylinder the wall is straight. A bore
-// without clearance is treated as if its clearance were a thousandth of the ball's radius.
+// that has no clearance is treated as if its clearance were a thousandth of the ball's radius.
 inline double pocket_stiffness(bool spherical, double ball_radius, double play, double Eprime)
 {
   const double R = ball_radius, bore = R + std::fmax(play, 1e-3 * R);
@@ -65,23 +65,23 @@ inline double pocket_stiffness(bool spherical, double ball_radius, double play, 
   return hertz_contact(spherical ? around : R, around, Eprime, Ellipse::exact).K;
 }
 
-// Returns the stiffness of a cage that touches its land, N/m^1.5. Along the circle of the land the
-// radii differ by the clearance; the curvature of the land across the circle is assumed to equal
-// that of the circle.
+// Returns the stiffness of the contact between a cage and its land, N/m^1.5. Along the circle of
+// the land the radii differ by the clearance; the curvature of the land across the circle is
+// assumed to equal that of the circle.
 inline double land_stiffness(const LandGap &land, double Eprime)
 {
   const double r = land.radius;
   return hertz_contact(r * (r + land.clearance) / land.clearance, r, Eprime, Ellipse::exact).K;
 }
 
-// Position and motion of the cage; e is its axis, and angle its rotation (rad) about e since the
-// start.
+// Position and motion of the cage. e is its axis, and `angle` is its rotation (rad) about e since
+// the start of the run.
 struct CageMotion {
   Vec3 x, v, e, w;
   double angle = 0.0;
 };
 
-// Returns a direction normal to the bearing's axis, rotated with that axis into e.
+// Returns a direction normal to the bearing's axis after the rotation that turns this axis into e.
 inline Vec3 carried_across(const Vec3 &e, double c, double s)
 {
   const double share = (e.x * c + e.y * s) / (1.0 + e.z);
@@ -108,18 +108,18 @@ inline Vec3 pocket_axis(const CageRing &cage, const CageMotion &m, int pocket)
 }
 
 struct PocketContact {
-  Vec3 offset;       // m, from the pocket's centre to the ball's centre, along circle, axis and
-                     // radius
+  Vec3 offset;       // m, from the pocket's centre to the ball's centre: components along the
+                     // circle, the axis and the radius
   double overlap;    // m, negative: gap
   Vec3 normal;       // from wall to ball
-  Vec3 lever;        // m, from the cage's centre to the ball's centre
+  Vec3 lever;        // m, vector from the cage's centre to the ball's centre
   DampedHertz h;
   double rate = 0.0;    // m/s, rate of the overlap
-  double bend = 0.0;    // N/m, due to rotation of the normal with the ball's position in the bore
+  double bend = 0.0;    // N/m, due to the rotation of the normal as the ball moves in the bore
   Vec3 side, axis;      // direction across the normal in the pocket's cross-section; axis of the
                         // pocket
   bool spherical = false;
-  Vec3 slide;                 // direction of the ball's sliding times its fraction of full friction
+  Vec3 slide;                 // sliding direction of the ball times the fraction of full friction
   double braking = 0.0;       // N s/m, friction divided by sliding speed
   Vec3 force, ball_torque;    // on the ball, N and N m
   Vec3 cage_moment;           // on the cage about its centre, N m
@@ -131,8 +131,8 @@ struct PocketBall {
   double radius, mass;
 };
 
-// Evaluates the contact between a ball and its pocket. Up to a gap of `close` (m), derivatives are
-// evaluated at the overlap `barely` (m), but forces at the gap.
+// Evaluates the contact between a ball and its pocket. For gaps up to `close` (m), derivatives are
+// evaluated at the overlap `barely` (m), but forces at the actual gap.
 inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, int pocket,
                                     const PocketBall &ball, double close = 0.0, double barely = 0.0)
 {
@@ -178,7 +178,8 @@ inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, i
   c.energy = (cage.wall > 0.0 ? 0.5 : 0.4) * spring * c.overlap;
   c.loss += (c.h.force - spring) * c.rate;
   if (!(c.h.force > 0.0)) return c;
-  // if the half clearances differ, the slot has straight walls, on which the normal does not rotate
+  // if the half clearances differ, the slot has straight walls, and the normal on them does not
+  // rotate
   const bool turns = cage.spherical || cage.along == cage.across || (qt != 0.0 && qz != 0.0);
   c.bend = turns ? c.h.force / off : 0.0;
   c.force = n * c.h.force;
@@ -200,13 +201,13 @@ inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, i
 struct LandContact {
   Vec3 force, moment;                               // on the cage, N and N m
   Vec3 lever;                                       // m, from ring centre to cage centre
-  double displaced[2][2] = {}, moved[2][2] = {};    // -d force/d place, -d force/d velocity
+  double displaced[2][2] = {}, moved[2][2] = {};    // -d force/d position and -d force/d velocity
   Vec3 axis[2];                                     // axes of these matrices, normal to the ring's
                                                     // axis
   double loss = 0.0, energy = 0.0;                  // W, J
   double share = 0.0;                               // eccentricity divided by clearance
-  double push = 0.0, stiffness = 0.0;               // N and N/m, force and stiffness of the
-                                                    // touching surfaces
+  double push = 0.0, stiffness = 0.0;               // force (N) and stiffness (N/m) of the surfaces
+                                                    // in contact
 };
 
 LandContact land_contact(const CageRing &, const CageMotion &cage, const CageMotion &ring);

@@ -24,7 +24,8 @@ struct Groove {
   double raceway_radius = 0.0;    // m, R_i or R_e, radius at the bottom of the groove
   double groove_radius = 0.0;     // m, r_c, radius of the cross-section
   double ball_radius = 0.0;       // m, R_b
-  double offset = 0.0;            // m, along the axis, from the ring's mid-plane to the centres
+  double offset = 0.0;            // m, axial distance from the ring's mid-plane to the groove
+                                  // centres
 
   // Returns the radius of the circle of groove centres, m.
   double centre_circle() const
@@ -33,8 +34,8 @@ struct Groove {
   }
   // Returns the distance of the ball centre from that circle at which the surfaces touch, m.
   double slack() const { return groove_radius - ball_radius; }
-  // For a ball in the ring's mid-plane in contact with an offset groove: cosine of the contact
-  // angle, and bottom radius (m) of an equivalent groove in the mid-plane.
+  // These refer to a ball in the ring's mid-plane that touches an offset groove: the cosine of its
+  // contact angle, and the bottom radius (m) of an equivalent groove in the mid-plane.
   double middle_cosine() const
   {
     const double sine = offset / slack();
@@ -50,7 +51,7 @@ struct Groove {
 
 template <class T> struct GroovePositionT {
   Vec3T<T> u, t;    // radial and circumferential unit vectors
-  T r = T();        // m, distance of the ball centre from the ring axis
+  T r = T();        // m, distance from the ring axis to the ball centre
   T z = T();        // m, along the axis
   T s = T();        // m, distance from the circle of groove centres
   T nu = T();       // normal, radial component
@@ -58,7 +59,7 @@ template <class T> struct GroovePositionT {
 };
 using GroovePosition = GroovePositionT<double>;
 
-// Sets the frame of a ball from r, z, the radial vector and s.
+// Sets the contact frame of a ball from r, z, the radial vector and s.
 template <class T>
 RACEWAY_INLINE void set_frame(const Vec3T<T> &radial, const Vec3T<T> &e, double centre_circle,
                               const T &s2, GroovePositionT<T> &p)
@@ -87,7 +88,7 @@ inline bool locate_beyond(const Vec3 &d, const Vec3 &e, double centre_circle, do
   return true;
 }
 
-// Does the same without a branch and for every position.
+// Does the same without branching, and sets every position.
 template <class T>
 RACEWAY_INLINE void locate(const Vec3T<T> &d, const Vec3T<T> &e, double centre_circle,
                            GroovePositionT<T> &p)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Reach of a groove of finite depth around a ball, for the capacitance of the gap outside the
-// contact (docs/fix_bearing_capacitance).
+// Extent of a groove of finite depth around a ball, which determines the capacitance of the gap
+// outside the contact (docs/fix_bearing_capacitance).
 //
 // The shoulder of a groove of depth t lies at the angle theta_b from the bottom, seen from the
 // ball's centre:
@@ -8,17 +8,18 @@
 // Along y across the groove, the parabola that approximates the gap ends at
 //   S = R_b [4 tan((theta_b -+ alpha)/4) +- 0.09 gamma],  +0.09 inner, -0.09 outer,
 // on the two sides of a contact at the contact angle alpha; gamma = R_b cos(alpha)/r_pitch. Within
-// the contact ellipse the groove already has the shape of that parabola, so the excess of the arc
-// within the ellipse is subtracted: 4 R_b q_a - a from the first term and the fraction (q_a/q)^2 of
-// the second, where q is the tangent in S, q_a = tan(a/(4 R_b)), and a is the semi-axis across the
-// groove.
+// the contact ellipse the groove already has the shape of that parabola, so the amount by which the
+// arc within the ellipse exceeds it is subtracted: 4 R_b q_a - a from the first term and the
+// fraction (q_a/q)^2 of the second, where q is the tangent in S, q_a = tan(a/(4 R_b)), and a is the
+// semi-axis across the groove.
 //
-// If a ring has two grooves, each ends at the other groove, in the ring's mid-plane. Seen from a
-// ball in that plane, the shoulder of a groove is at
+// If a ring has two grooves, they meet in the ring's mid-plane. Seen from a ball in that plane, the
+// shoulder of a groove is at
 //   tan theta_b = (r_c sin theta - G)/(R_b - t + (r_c - R_b)(1 - cos alpha_0)),
-// with the distance G of the groove's centres from the plane and the contact angle alpha_0 of the
-// ball. The groove's other end is at the angle 0, so S = 4 R_b tan(alpha/4) on that side. The term
-// with 0.09 is omitted, because it applies to sides that are twice as long and begin at the bottom.
+// where G is the distance of the groove's centres from the plane and alpha_0 is the contact angle
+// of the ball. The groove's other end is at the angle 0, so S = 4 R_b tan(alpha/4) on that side.
+// The term with 0.09 is omitted, because it applies to sides that are twice as long and begin at
+// the bottom.
 #ifndef RACEWAY_GROOVE_SHOULDER_H
 #define RACEWAY_GROOVE_SHOULDER_H
 
@@ -51,7 +52,7 @@ template <class T> struct GrooveReachT {
 class GrooveShoulder {
  public:
   GrooveShoulder() = default;
-  // depth is that of the groove at the shoulder (m); precondition: 0 < depth < ball radius
+  // `depth` is the depth of the groove at the shoulder (m); precondition: 0 < depth < ball radius
   GrooveShoulder(const Groove &g, double depth, double pitch_radius) :
       radius_(g.ball_radius),
       curved_((g.side == Side::inner ? 0.09 : -0.09) * g.ball_radius / pitch_radius),
@@ -68,9 +69,9 @@ class GrooveShoulder {
     quarter_ = half_tangent(across / (down + std::hypot(across, down)));
   }
 
-  // Returns the reach for the sine and cosine (both 0 or more) of the contact angle; it is negative
-  // towards a shoulder that the contact has passed. With two grooves per ring the far side ends at
-  // the other groove.
+  // Returns the reach for the sine and cosine (both 0 or more) of the contact angle; the reach is
+  // negative towards a shoulder that the contact has passed. If a ring has two grooves, the far
+  // side ends at the other groove.
   template <class T> RACEWAY_INLINE GrooveReachT<T> reach(const T &sine, const T &cosine) const
   {
     const T lean = half_tangent(half_tangent(sine, cosine)), both = quarter_ * lean,
@@ -81,12 +82,12 @@ class GrooveShoulder {
             {radius_ * (4.0 * far + curved), 1.0 / far}};
   }
 
-  // Returns the reach around an ellipse with the semi-axis a (m) across the groove.
+  // Returns the reach around an ellipse whose semi-axis across the groove is a (m).
   template <class T>
   RACEWAY_INLINE T around(const GrooveSideT<T> &side, const T &cosine, const T &a) const
   {
     const T curved = curved_ * cosine, u = a * (0.25 / radius_), u2 = u * u;
-    // the tangent q_a, with a relative error of 3e-7 for an ellipse one radius wide
+    // the tangent q_a, whose relative error is 3e-7 for an ellipse one radius wide
     const T within = u * (1.0 + u2 * (1.0 / 3 + u2 * (2.0 / 15 + u2 * (17.0 / 315))));
     const T ratio = within * side.cotangent;
     const T part = where((side.cotangent > 0.0) & (ratio < 1.0), ratio, 1.0);

@@ -3,11 +3,11 @@
 // measured from the torus into the ring, and azimuths in the ring's own frame.
 //
 // A ball follows a flaw only as far as the ball's size allows (docs/theory, Flaws of a raceway).
-// With the effective radius R_x along rolling and edges of radius E, the path of the ball over a
-// notch of length w is
+// If the effective radius along rolling is R_x and the edges have the radius E, the path of the
+// ball over a notch of length w is
 //   depth = (w/2 - |s|)^2/(2 (R_x + E)),
-// but at most the depth of the notch; s is measured along the raceway from the middle of the
-// notch. The bend of the path, in the middle or at the bottom, is spread over +-E.
+// but at most the depth of the notch; s is measured along the raceway from the middle of the notch.
+// The kink in the path, in the middle or at the bottom, is smoothed over +-E.
 #ifndef RACEWAY_RACEWAY_PROFILE_H
 #define RACEWAY_RACEWAY_PROFILE_H
 
@@ -50,13 +50,13 @@ class NotchPath {
   }
 
   const NotchShape &shape() const { return shape_; }
-  double half_angle() const { return half_ / raceway_; }    // rad
+  double half_angle() const { return half_ / raceway_; }    // angle, rad
   double deepest() const { return deepest_; }               // m, largest depth reached by the ball
   // Returns true if the path has a slope before its bend.
   bool falls() const { return half_ > turns_; }
 
-  // Returns the largest step (rad) from an azimuth in the direction of `rate`: up to the edge of
-  // the notch, or inside the notch a fifth of the edge radius.
+  // Returns the largest step (rad) from an azimuth in the direction of `rate`. It ends at the edge
+  // of the notch or, inside the notch, is a fifth of the edge radius long.
   double longest_turn(double azimuth, double rate) const
   {
     const double fine = 0.2 * shape_.edge / raceway_;
@@ -89,7 +89,8 @@ class NotchPath {
  private:
   NotchShape shape_;
   double raceway_, curve_, half_;                 // m
-  double turned_, turns_, steepest_, deepest_;    // m, m, 1, m; the path bends from turns_ inwards
+  double turned_, turns_, steepest_, deepest_;    // in m, m, 1 and m; the path is curved from
+                                                  // turns_ inwards
 };
 
 // Returns the path of a ball over a surface given by a table, i.e. the part of the surface that the
@@ -116,8 +117,8 @@ inline PeriodicCurve rolled(const PeriodicCurve &surface, double raceway_radius,
 
 class RacewayProfile {
  public:
-  // The arguments are the radius of the raceway and the effective radius along rolling, m, and the
-  // semi-axis of the contact patch across the groove divided by sqrt(overlap), sqrt(m).
+  // The arguments are the radius of the raceway and the effective radius along rolling, in m, and
+  // the semi-axis of the contact patch across the groove divided by sqrt(overlap), in sqrt(m).
   RacewayProfile(const ProfileShape &shape, double radius, double rolling, double ellipse) :
       radius_(radius), ellipse_(ellipse), waves_(shape.waves)
   {
@@ -132,7 +133,7 @@ class RacewayProfile {
   double ellipse() const { return ellipse_; }    // sqrt(m), semi-axis across the groove divided by
                                                  // sqrt(overlap)
 
-  // Returns the sum of the profiles that extend across the whole groove.
+  // Returns the total depth of the profiles that extend across the whole groove.
   CurveAt across(double azimuth) const
   {
     CurveAt sum;
@@ -161,8 +162,8 @@ class RacewayProfile {
   }
 
   // Returns the longest step (s) for a ball at this azimuth that moves along the raceway at `rate`
-  // (rad/s): up to the edge of a notch, a fifth of the edge radius inside a notch, a sixteenth of a
-  // wave, and one point of a table.
+  // (rad/s). It ends at the edge of a notch and is at most a fifth of the edge radius inside a
+  // notch, a sixteenth of a wave, and the spacing between two points of a table.
   double longest_step(double azimuth, double rate) const
   {
     if (rate == 0.0) return HUGE_VAL;
@@ -178,7 +179,7 @@ class RacewayProfile {
   std::vector<NotchPath> notches_;
   std::vector<Wave> waves_;
   std::vector<PeriodicCurve> tables_;
-  std::vector<double> spacings_;    // rad, spacings of the tables as given
+  std::vector<double> spacings_;    // angular spacing of the points of each given table, rad
 };
 
 }    // namespace raceway

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contact of a cage ball with a torus rail (docs/theory, Rings): elastic, frictionless, critically
-// damped.
+// Contact between a cage ball and a torus-shaped rail (docs/theory, Rings): elastic, frictionless,
+// critically damped.
 //
-// The rail is a torus with a centre-circle radius, a tube radius and an axial offset of that circle
-// along the ring axis. A ball touches it if the ball's centre is closer to the centre circle than
-// ball radius + tube radius. The Hertz constants apply to the seat: the ball touches the tube at
-// the seat angle (0 = radially outside the ball) from the side of the ring axis, so the surface is
-// concave along the rail.
+// The rail is a torus that is defined by the radius of its centre circle, its tube radius and the
+// offset of the circle along the ring axis. A ball touches it if the ball's centre is closer to the
+// centre circle than ball radius + tube radius. The Hertz constants are those at the seat, where
+// the ball touches the tube at the seat angle (0 = radially outside the ball) from the side of the
+// ring axis, so that the surface is concave along the rail.
 #ifndef RACEWAY_RAIL_H
 #define RACEWAY_RAIL_H
 
@@ -23,9 +23,9 @@ struct Rail {
 };
 
 // Returns one of two rails outside the pitch circle, one on each side, which touch a cage ball of
-// radius R centred on the pitch circle (gap = 0). A cage ball squeezed between two balls is pushed
-// outwards, because the chord between the balls lies inside the pitch circle. Outer rails at +-45
-// degrees form a V that seats the cage ball and holds it axially. See docs/theory, "Cage".
+// radius R that is centred on the pitch circle (if gap = 0). A cage ball squeezed between two balls
+// is pushed outwards, because the chord between the balls lies inside the pitch circle. Outer rails
+// at +-45 degrees form a V that seats the cage ball and holds it axially. See docs/theory, "Cage".
 inline Rail seat_rail(double pitch, double ball_radius, double tube, double gap, double sign)
 {
   const double reach = (ball_radius + tube + gap) * 0.70710678118654752440;
@@ -47,7 +47,7 @@ inline double rail_stiffness(const Rail &rail, double ball_radius, double pitch,
 
 // Contact of one cage ball with one rail in the meridional plane of the ring, for a ball centre at
 // radius r and height z (m) and velocities vr, ve (m/s) relative to the ring. The code has no
-// branches, so that a loop over many balls vectorises; without contact the force is 0.
+// branches, so that a loop over many balls vectorises. If there is no contact, the force is 0.
 template <class T> struct RailContactT {
   T nr, ne;     // normal from rail to ball, radial and axial
   T overlap;    // m
@@ -71,7 +71,7 @@ RACEWAY_INLINE RailContactT<T> rail_contact(const Rail &rail, double K, const T 
 }
 
 // Returns true if a cage ball may be within `margin` (m) of the rail, without computing the square
-// root. Despite rounding, it is true whenever rail_contact() finds an overlap.
+// root. Even with rounding errors, the result is true whenever rail_contact() detects an overlap.
 template <class T>
 RACEWAY_INLINE auto may_touch(const Rail &rail, const T &r, const T &z, const T &radius,
                               double margin)

@@ -7,8 +7,8 @@
 
 namespace raceway {
 
-// Returns the heat capacity of a ring (J/K): a cylinder of this width (m) between the ring's seat
-// and its shoulders (diameters, m), minus the groove.
+// Returns the heat capacity of a ring (J/K). The ring is a cylinder of the given width (m) between
+// the diameters (m) of its seat and its shoulders, minus the groove.
 inline double ring_capacity(const Groove &groove, double seat, double shoulder, double width)
 {
   const bool inner = groove.side == Side::inner;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Walls that rotate with a shaft, in coordinates about its axis: the inside of a closed drum, or
-// radial blades.
+// Walls that rotate with a shaft, in coordinates centred on its axis: the inner surface of a closed
+// drum, or radial blades.
 #ifndef RACEWAY_TURNING_WALL_H
 #define RACEWAY_TURNING_WALL_H
 
@@ -11,8 +11,8 @@
 
 namespace raceway {
 
-// Contact of a sphere with a wall: overlap (m, negative if they are apart) and unit normal from the
-// wall to the sphere.
+// Contact of a sphere with a wall: the overlap (m, negative if there is a gap) and the unit normal
+// from the wall to the sphere.
 struct WallTouch {
   double overlap = -HUGE_VAL;
   Vec3 n;
@@ -20,9 +20,10 @@ struct WallTouch {
 
 struct TurningWall {
   bool drum = true;
-  int blades = 0;               // number of radial blades; the first is at the shaft's angle
-  double r1 = 0.0, r2 = 0.0;    // m, radii of the blades' edges; r2 is also the drum's radius
-  double z1 = 0.0, z2 = 0.0;    // m, positions of both ends along the axis
+  int blades = 0;               // number of radial blades, the first of which is at the shaft's
+                                // angle
+  double r1 = 0.0, r2 = 0.0;    // radii of the blades' edges, m; r2 is also the drum's radius
+  double z1 = 0.0, z2 = 0.0;    // positions of both ends along the axis, m
   int parts() const { return drum ? 3 : blades; }
 
   // Returns false only if a sphere of radius R at p cannot touch any part of the wall.
@@ -33,9 +34,9 @@ struct TurningWall {
     return !(inner > 0.0 && r2_at < inner * inner);
   }
 
-  // Evaluates the contact of a part of the wall with a sphere of radius R at p. The axis is the
-  // third axis; `angle` (rad) is the rotation of the wall about it. The parts of a drum are the
-  // shell, the first end and the second end.
+  // Evaluates the contact between a part of the wall and a sphere of radius R at p. The shaft is
+  // along the third coordinate axis; `angle` (rad) is the rotation of the wall about it. The parts
+  // of a drum are the shell, the first end and the second end.
   WallTouch touch(int part, const Vec3 &p, double R, double angle) const
   {
     if (drum) {
@@ -54,7 +55,7 @@ struct TurningWall {
     if (!(far > 0.0)) return {};
     return {R - far, d * (1.0 / far)};
   }
-  // Returns true for a sphere whose centre p lies beyond the drum's walls.
+  // Returns true if the centre p of a sphere lies outside the drum.
   bool lost(const Vec3 &p) const
   {
     return drum && (p.x * p.x + p.y * p.y > r2 * r2 || p.z < z1 || p.z > z2);

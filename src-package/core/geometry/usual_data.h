@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Dimensions of a bearing from its usual data; radii are computed as in raceway.inputs. All values
-// are in SI units.
+// Dimensions of a bearing, derived from its usual data in the same way as in raceway.inputs. All
+// values are in SI units.
 //
-// The pitch diameter is the diameter of the circle of ball centres in contact with both raceways at
-// the contact angle, so a contact angle above 0 determines the clearance.
+// The pitch diameter is the diameter of the circle on which the ball centres lie when the balls
+// touch both raceways at the contact angle. A contact angle above 0 therefore determines the
+// clearance.
 #ifndef RACEWAY_USUAL_DATA_H
 #define RACEWAY_USUAL_DATA_H
 
@@ -15,10 +16,10 @@ struct UsualData {
   double balls, ball_diameter, pitch_diameter;
   double contact_angle;    // rad
 
-  // Return the radius of a raceway at the bottom of a groove of radius `groove`, m.
+  // Return the radius of a raceway (m), measured at the bottom of a groove of radius `groove`.
   double inner_radius(double groove) const { return 0.5 * pitch_diameter - groove + reach(groove); }
   double outer_radius(double groove) const { return 0.5 * pitch_diameter + groove - reach(groove); }
-  // Returns the diameter of cage balls that leave each ball the clearance `play` along the pitch
+  // Returns the diameter of cage balls that gives each ball the clearance `play` along the pitch
   // circle.
   double cage_ball_diameter(double play) const
   {
@@ -32,8 +33,8 @@ struct UsualData {
   }
 };
 
-// Estimate of the inner ring as a hollow cylinder whose shoulders are 0.18 ball diameters above the
-// bottom of the groove.
+// Approximation of the inner ring by a hollow cylinder. Its shoulders are assumed to be 0.18 ball
+// diameters above the bottom of the groove.
 struct RingCylinder {
   double bore_diameter, width, outer_radius;
 
@@ -45,7 +46,8 @@ struct RingCylinder {
   {
     return density * M_PI * (outer_radius * outer_radius - bore2()) * width;
   }
-  // Return the moments of inertia about its axis and about a diameter (kg m^2), for a mass (kg).
+  // Return the moments of inertia about the axis and about a diameter (kg m^2) for a given mass
+  // (kg).
   double inertia(double mass) const { return 0.5 * mass * (outer_radius * outer_radius + bore2()); }
   double inertia_t(double mass) const { return 0.5 * inertia(mass) + mass * width * width / 12.0; }
 

@@ -8,14 +8,14 @@ using namespace raceway;
 
 FORMULA(double, usual_play, ()) { return raceway::usual_play; }
 
-// play: in m, along the pitch circle
+// `play` is measured along the pitch circle, in m.
 FORMULA(double, pocket_shear, (double viscosity, double ball_radius, double play, double filled))
 {
   return raceway::pocket_shear(viscosity, ball_radius, usual_band * 2.0 * ball_radius, 0.5 * play,
                                filled);
 }
 
-// width: in m, of both lands together; the cage is centred
+// `width` is the total width of both lands, in m. The cage is assumed to be centred.
 FORMULA(double, land_couple,
         (double viscosity, double radius, double clearance, double width, double filled))
 {

@@ -36,7 +36,7 @@ FORMULA(double, rough_film_factor, (double sigma_over_h))
 }
 
 namespace {
-// Returns the shape of the gap around an ellipse without a contact law. E' cancels out.
+// Returns the shape of the gap around an ellipse. No contact law is needed, because E' cancels out.
 GapShape shape_of(double kappa, double first, double second, double radius, double r_x, double E,
                   double &K)
 {
@@ -50,14 +50,14 @@ GapShape shape_of(double kappa, double first, double second, double radius, doub
 }
 }    // namespace
 
-// Returns G of the gap outside the ellipse along the rolling direction. ratio: H = h/g_s
+// Returns G for the gap beside the ellipse along the rolling direction. `ratio` is H = h/g_s.
 FORMULA(double, gap_beside, (double ratio))
 {
   const GapBeside<double> beside(std::pow(ratio, 1.0 / 6.0));
   return beside.up / beside.down;
 }
 
-// Returns P of the gap beyond one end of the ellipse, up to `reach`, in units of a.
+// Returns P for the gap beyond one end of the ellipse, up to `reach`, which is in units of a.
 FORMULA(double, gap_beyond, (double ratio, double kappa, double reach))
 {
   GapShape s = {};
@@ -71,7 +71,8 @@ FORMULA(double, gap_beyond, (double ratio, double kappa, double reach))
   return stretch > 1.0 ? std::log(stretch) / s.root_e : 0.0;
 }
 
-// Returns I (m) around a loaded contact. near, far: half-widths of the groove (m)
+// Returns I (m) for the gap around a loaded contact. `near` and `far` are the half-widths of the
+// groove (m).
 FORMULA(double, gap_loaded,
         (double kappa, double first, double second, double radius, double modulus, double r_x,
          double load, double separation, double near, double far))
@@ -83,7 +84,7 @@ FORMULA(double, gap_loaded,
   return gap_integral(s, loaded.G, loaded.stretch(near), loaded.stretch(far));
 }
 
-// Returns I (m) of an unloaded ball. flatness: 1 - play/(r_c - R_b)
+// Returns I (m) for an unloaded ball. `flatness` is 1 - play/(r_c - R_b).
 FORMULA(double, gap_open,
         (double kappa, double first, double second, double radius, double r_x, double separation,
          double flatness, double near, double far))

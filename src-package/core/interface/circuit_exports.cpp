@@ -7,7 +7,8 @@
 
 using namespace raceway;
 
-// Point at which a charged ball has no film, and the index of that ball; -1 if there is none.
+// Point at which a charged ball has no film, and the index of that ball. Both are -1 if there is
+// none.
 RECORD(CircuitEnd, double point, ball;)
 
 namespace {
@@ -47,14 +48,14 @@ void put(const FilmFailure &f, double time, double discharge, double *row)
 }
 }    // namespace
 
-// Solves the circuit. Films are indexed by point, side and ball. A film fails at
+// Solves the circuit. The arrays of films are indexed by point, side and ball. A film fails at
 // film_limit(thickness, strength, less, floor); if the strength is 0, it never fails. The outer
 // circuit has a parallel capacitance (`beside` plus `factor` times the bearing's own capacitance),
-// a coupling and a conductance. The driving voltage is given at each point, and its edges as rows
-// in order of time (time, voltage before, voltage after). Films and voltage are linear between
-// points. Each row of failures (at most `most` rows) contains time, discharge, order, side, ball,
-// film voltage, bearing voltage, bearing voltage after the discharge, film energy and energy. The
-// circuit ends at a point where a charged ball has no film. Returns the number of failures.
+// a coupling and a conductance. The driving voltage is given at each point, and its edges are given
+// as rows in order of time (time, voltage before, voltage after). Films and voltage vary linearly
+// between points. Each row of failures (at most `most` rows) contains time, discharge, order, side,
+// ball, film voltage, bearing voltage, bearing voltage after the discharge, film energy and energy.
+// The circuit ends at a point where a charged ball has no film. Returns the number of failures.
 EXPORT(int, bearing_circuit,
        (int points, int balls, const double *time, const double *capacitance,
         const double *conductance, const double *thickness, double strength, double less,
@@ -68,7 +69,7 @@ EXPORT(int, bearing_circuit,
   CircuitState s;
   int count = 0, next = 0;
   *out = {-1.0, -1.0};
-  // returns the circuit a fraction `back` of a step before the point p
+  // returns the circuit at the time that lies a fraction `back` of a step before point p
   const auto point = [&](int p, double back, double volts) {
     const auto film = [&](int k) {
       const auto mix = [&](const double *values) {
@@ -125,8 +126,8 @@ EXPORT(int, bearing_circuit,
   return count;
 }
 
-// Computes the discharge at a single point, in place, with its failures as above. Returns the
-// number of failures.
+// Computes the discharge at a single point in place. The rows of failures are as described above.
+// Returns the number of failures.
 EXPORT(int, film_discharge,
        (int balls, const double *capacitance, const double *limit, double beside, double coupling,
         double driving, double *ball_charge, double *ring_charge, double *ball, double *ring,
@@ -143,7 +144,8 @@ EXPORT(int, film_discharge,
   return count;
 }
 
-// Computes the voltages with the broken films (not 0; by side and ball) as conductors.
+// Computes the voltages if the broken films (those whose entry, indexed by side and ball, is not 0)
+// are conductors.
 EXPORT(void, film_redistribution,
        (int balls, const double *capacitance, double beside, double coupling, double driving,
         const double *ball_charge, double ring_charge, const int *broken, double *ball,
@@ -178,8 +180,9 @@ FORMULA(double, local_thickness, (double thickness, double less, double floor))
   return local_thickness(thickness, less, floor);
 }
 
-// Writes rows of time, voltage before and voltage after, one for each switching of an inverter leg
-// between the two times, in order of time and at most `most` rows. Returns the number of rows.
+// Writes rows of time, voltage before and voltage after, in order of time. There is one row for
+// each time an inverter leg switches between the two times, but at most `most` rows are written.
+// Returns the number of rows.
 EXPORT(int, inverter_edges,
        (int points, const double *time, double voltage, double frequency, double carrier,
         double modulation, int most, double *out))
@@ -194,7 +197,7 @@ EXPORT(int, inverter_edges,
   return count;
 }
 
-// kind: 0 for constant, 1 for sine, 2 for common mode
+// `kind` is 0 for constant, 1 for sine and 2 for common mode.
 FORMULA(double, waveform,
         (double time, int kind, double voltage, double frequency, double phase, double carrier,
          double modulation))

@@ -13,7 +13,8 @@ using raceway::Column;
 
 static JsonText json;
 
-// The texts of the tables contain no quotes, backslashes or control characters.
+// Nothing is escaped, because the texts of the tables contain no quotes, backslashes or control
+// characters.
 static void print(const Column &c, const char *more, bool last)
 {
   json.add("    {\"name\": \"%s\", \"unit\": \"%s\", \"meaning\": \"%s\", \"absent\": ", c.name,
@@ -50,8 +51,8 @@ static void section(const char *name, const std::vector<bearing::Figure> &list,
   }
 }
 
-// Writes the parts of the contact law with their name, condition of use, number of state variables
-// per contact, and keywords.
+// Writes the parts of the contact law with their names, conditions of use, numbers of state
+// variables per contact, and keywords.
 static void print_law()
 {
   const char *const when[] = {"always", "with a lubricant", "on request"};
@@ -127,6 +128,7 @@ static std::string table_text()
 
 extern "C" const char *columns_json()
 {
-  static const std::string text = table_text();    // created once, whatever the number of threads
+  static const std::string text = table_text();    // created only once, even if there are several
+                                                   // threads
   return text.c_str();
 }

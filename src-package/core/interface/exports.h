@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// C interface of a library, with a description for Python (raceway/core/exports.py) that is
-// generated from the source of the library: the parameters of every EXPORT and FORMULA by name, and
-// the fields of every RECORD by name and size. Python passes arguments by name, so positions are
-// never stated on only one side.
+// Defines the C interface of a library and a description of it for Python
+// (raceway/core/exports.py). The description is generated from the source of the library. It
+// contains the names of the parameters of every EXPORT and FORMULA, and the names and sizes of the
+// fields of every RECORD. Python passes arguments by name, so their positions never have to be
+// repeated there.
 #ifndef RACEWAY_EXPORTS_H
 #define RACEWAY_EXPORTS_H
 #include <cstring>
@@ -10,7 +11,7 @@
 #include <type_traits>
 #include <utility>
 
-// hidden, so that two libraries in one process have separate texts
+// this is hidden so that two libraries in one process have separate texts
 __attribute__((visibility("hidden"))) inline std::string &exported_text()
 {
   static std::string text;
@@ -21,7 +22,7 @@ struct ExportedLine {
   explicit ExportedLine(const std::string &line) { exported_text() += line + "\n"; }
 };
 
-// Declares a C function. The size of an array, as in `double out[3]`, is stated if it does not
+// Declares a C function. The size of an array is stated, as in `double out[3]`, if it does not
 // depend on the call.
 #define EXPORT(result, name, parameters)                                                    \
   extern "C" result name parameters;                                                        \
@@ -68,7 +69,7 @@ void formula_over_arrays(Result (*one)(Numbers...), long n, const double *in, do
     formula_at(one, n, i, in, out, std::index_sequence_for<Numbers...>());
 }
 
-// to be used once per library
+// must be used exactly once per library
 #define EXPORTS \
   extern "C" const char *exports() { return exported_text().c_str(); }
 #endif

@@ -17,12 +17,13 @@ RECORD(GuptaParts, double unpressed, lost;)
 RECORD(MaxwellBranch, double stiffness, rate;)
 RECORD(BranchStep, double left, slope;)
 
-// Returns the film thickness divided by R_x as a function of U, G and W. model: 0 for Masjedi and
-// Khonsari, 1 for Masjedi and Khonsari as printed, 2 for Hamrock and Dowson
+// Returns the film thickness divided by R_x as a function of U, G and W. `model` is 0 for Masjedi
+// and Khonsari, 1 for Masjedi and Khonsari as printed, and 2 for Hamrock and Dowson.
 FORMULA(FilmThickness, film_thickness,
         (int model, double speed, double material, double load, double kappa))
 {
-  // these values are usually constant along an array, and cost more than all other operations
+  // these values are usually constant along an array, and computing them takes longer than all
+  // other operations
   thread_local double known[3] = {-1.0, 0.0, 0.0};
   thread_local FilmPair laws;
   const double asked[3] = {double(model), material, kappa};
@@ -62,8 +63,8 @@ FORMULA(double, thermal_loading,
   return thermal_loading(temperature_viscosity, viscosity, speed, conductivity);
 }
 
-// Returns the film factor as a function of the thermal loading. law: 1 for Murch and Wilson, 2 for
-// Wilson
+// Returns the film factor as a function of the thermal loading. `law` is 1 for Murch and Wilson and
+// 2 for Wilson.
 FORMULA(double, inlet_shear, (int law, double loading))
 {
   FilmFactors f;
@@ -72,7 +73,8 @@ FORMULA(double, inlet_shear, (int law, double loading))
   return f.of(0.0);
 }
 
-// Returns Gupta's factor without pressure, and its reduction by pressure before it is limited.
+// Returns Gupta's factor without the effect of pressure, and the reduction due to pressure before
+// it is limited.
 FORMULA(GuptaParts, gupta_parts, (double loading, double pressure, double slide_roll))
 {
   FilmFactors f;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exports the film in the gap (film_gap.h, gap_film.h) of a contact that is given by its
-// parameters.
+// Exports the model of the film in the gap (film_gap.h, gap_film.h) for a contact that is defined
+// by its parameters.
 #include "../raceway/gap_film.h"
 #include "exports.h"
 
@@ -10,10 +10,10 @@ RECORD(FilmAtLoad, double thickness, fall;)
 RECORD(FilmInGap, double load, h_c, elastic, slope;)
 
 namespace {
-// One film as a function of the load. `shape` is R_y (m) for the law of all regimes, and kappa
-// otherwise. If there is a thermal loading, Gupta's factor is included; `peak` is p_max/E' at 1 N.
-// Below the load `cut` (N), the film thickness of a power law is constant, and so is Gupta's factor
-// for any film.
+// The thickness of one film as a function of the load. `shape` is R_y (m) for the law for all
+// regimes, and kappa otherwise. If there is a thermal loading, Gupta's factor is included; `peak`
+// is p_max/E' at 1 N. Below the load `cut` (N), the film thickness of a power law is constant, and
+// so is Gupta's factor for any film.
 struct FilmOverLoad {
   bool all;
   double viscosity, pressure_viscosity, modulus, r_x, shape, speed, factor, loading, peak,
@@ -75,7 +75,7 @@ FilmInGap in_gap(const FilmOverLoad &film, double overlap, double K, double shar
   }
   GuptaFactorT<double> g = film.heated() ? film.gupta() : GuptaFactorT<double>{1.0, 0.0};
   const double below = g.unpressed * (1.0 - g.loss(film.peak * std::cbrt(film.cut)));
-  const double kept = std::pow(film.cut / K, 2.0 / 3.0);    // compression at the cut
+  const double kept = std::pow(film.cut / K, 2.0 / 3.0);    // compression at the load `cut`
   if (!film.all && film.cut > 0.0) {
     const PowerFilmT<double> law = film.power(below);
     const double edge = law.at(logarithm(film.cut)).thickness, least = overlap + share * edge;

@@ -9,8 +9,8 @@ using raceway::FixedPoint;
 
 RECORD(FixedPointNext, double residual, distance, contraction;)
 
-// Computes the next start and the norms after `starts` starts of a map of n numbers and the values
-// of the map, in order.
+// Computes the next start and the norms from the last `starts` starts and the corresponding values
+// of the map, in order. Each of them consists of n numbers.
 EXPORT(void, fixed_point,
        (int starts, int n, double reach, const double *x, const double *g, const double *weights,
         double *next, FixedPointNext *out))
@@ -22,7 +22,7 @@ EXPORT(void, fixed_point,
     const long at = static_cast<long>(k) * n;
     map.add({x + at, x + at + n}, {g + at, g + at + n});
   }
-  FixedPoint copy;    // unpacked as after a restart
+  FixedPoint copy;    // the copy is unpacked in the same way as after a restart
   copy.unpack(map.packed());
   const FixedPoint::Next to = map.next();
   std::copy(to.start.begin(), to.start.end(), next);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exports damping, mixed friction, slip, spin, rolling resistance and drag of a single contact.
+// Exports the laws of damping, mixed friction, slip, spin, rolling resistance and drag for a single
+// contact.
 #include "../laws/asperities.h"
 #include "../laws/ball_drag.h"
 #include "../laws/damping.h"
@@ -52,7 +53,7 @@ FORMULA(double, film_regime, (double lambda_1, double lambda_2, double ratio))
   return regime({0.0, 0.0, lambda_1, lambda_2}, ratio);
 }
 
-// rate: s/h in 1/s, not negative
+// `rate` is s/h in 1/s and must not be negative.
 FORMULA(double, eyring_shear, (double viscosity, double rate, double stress, double limit))
 {
   return eyring_shear(stress, viscosity * rate / stress, limit);
@@ -93,7 +94,7 @@ FORMULA(double, edge_slip, (double speed, double a, double r_d, double r_x))
   return edge_slip(speed, a, r_d, r_x);
 }
 
-// Returns forces divided by mu Q and the couple divided by mu Q a^2/(2 R_d). `off` is the slip
+// Returns the forces divided by mu Q, and the couple divided by mu Q a^2/(2 R_d). `off` is the slip
 // relative to free rolling, divided by s_e.
 RECORD(SlipLaw, double root, secant, force, couple;)
 FORMULA(SlipLaw, differential_slip, (double off))
@@ -130,8 +131,8 @@ FORMULA(SlidingForces, slip_slices,
 }
 
 // Returns the motion of a ball that rolls on both raceways, given the contact angles (rad), the
-// speed `ring` of the inner ring (rad/s), the radii `ball` and `pitch` (m) and the radial part of
-// the ball's rotation (rad/s). All results are in rad/s.
+// speed `ring` of the inner ring (rad/s), the radii `ball` and `pitch` (m) and the radial component
+// of the ball's rotation (rad/s). All results are in rad/s.
 RECORD(RollingBall, double orbit, axial, spin_inner, spin_outer;)
 FORMULA(RollingBall, rolling_on_both,
         (double inner, double outer, double ring, double ball, double pitch, double radial))
@@ -148,8 +149,8 @@ FORMULA(double, rolling_force,
   return rolling_force(rolling_shape(k, r_x), logarithm(std::fabs(speed)), load, std::cbrt(load));
 }
 
-// These two functions return the fraction of the flooded resistance, by quadrature (which is exact)
-// and by the interpolation that contacts use.
+// These two functions return the fraction of the flooded resistance, computed by quadrature (which
+// is exact) and by the interpolation that is used in contacts.
 FORMULA(double, inlet_share, (double length, double thickness))
 {
   return inlet_share(length, thickness);
@@ -157,7 +158,7 @@ FORMULA(double, inlet_share, (double length, double thickness))
 
 FORMULA(double, rolling_inlet, (double length, double h_c, double b, double r_x))
 {
-  thread_local RollingInlet of;    // prepared again if the length changes
+  thread_local RollingInlet of;    // prepared again whenever the length changes
   thread_local double prepared = -1.0;
   if (length != prepared) of.prepare(prepared = length);
   return of.short_inlet ? of.share(h_c, b, r_x) : 1.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exports the heat of a bearing (heat.h), the network of its nodes (heat_network.h) and the jumps
-// of their temperatures (heat_jumps.h).
+// Exports the heat transfer in a bearing (heat.h), the network of its nodes (heat_network.h) and
+// the jumps of their temperatures (heat_jumps.h).
 #include "../geometry/ring_capacity.h"
 #include "../laws/heat_jumps.h"
 #include "exports.h"
@@ -10,7 +10,8 @@
 using namespace raceway;
 
 RECORD(SteelOfBearings, double conductivity, density, heat, expansion;)
-// The nodes are inner ring, balls, outer ring and housing; the first three are wetted.
+// The nodes are the inner ring, the balls, the outer ring and the housing. The first three are
+// wetted by oil.
 RECORD(HeatNetworkOf, double capacity[4];
        double inner, outer, shaft, seat, housing, ambient, flow, inlet, convection, wetted[3];)
 RECORD(WettedSurfacesOf, double inner, balls, outer;)
@@ -97,7 +98,7 @@ EXPORT(double, oil_outlet, (const HeatNetworkOf *net, const double surface[3], d
 }
 
 // Computes the temperatures (C) after `time` seconds. The heat (W) into each node and into the oil
-// varies linearly from `heat` to `end`. Returns the heat (J) carried away.
+// varies linearly from `heat` to `end`. Returns the heat (J) that is carried away.
 EXPORT(double, heat_advance,
        (const HeatNetworkOf *net, const double heat[5], const double end[5], const double from[4],
         double time, double to[4]))
@@ -113,9 +114,9 @@ EXPORT(double, heat_steady, (const HeatNetworkOf *net, const double heat[5], dou
   return flow.slowest();
 }
 
-// Takes the mean losses (W) in the nodes and the oil during a ball pass, the conductances of the
-// contacts (W/K) and the heat transfer coefficient of the oil (W/(m^2 K)), and starts the next
-// jump.
+// Completes the current jump and starts the next one. The arguments are the mean losses (W) in the
+// nodes and the oil during a ball pass, the conductances of the contacts (W/K), and the heat
+// transfer coefficient of the oil (W/(m^2 K)).
 EXPORT(void, heat_jump,
        (HeatStateOf * state, const double heat[5], double inner, double outer, double convection,
         const HeatNetworkOf *net, const HeatControlOf *control))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exports Hertz contacts, and the radii of a ball in its groove.
+// Exports the laws of Hertz contacts, and the effective radii of a ball in its groove.
 #include "../laws/hertz.h"
 #include "exports.h"
 
@@ -12,7 +12,8 @@ RECORD(SemiAxes, double a, b;)
 RECORD(RadiiOfContact, double r_x, r_y;)
 RECORD(CompleteElliptic, double K, E, D;)
 
-// form: 0 for exact, 1 for the fit of Hamrock and Brewe, 2 for this fit as printed in the paper
+// `form` is 0 for the exact solution, 1 for the fit of Hamrock and Brewe, and 2 for this fit as
+// printed in the paper.
 FORMULA(HertzEllipse, hertz_ellipse, (double r_x, double r_y, int form))
 {
   const ContactEllipse c = contact_ellipse(r_x, r_y, Ellipse(form));
@@ -32,8 +33,8 @@ FORMULA(SemiAxes, hertz_semi_axes,
   return {a, a / kappa};
 }
 
-// Returns the maximum pressure. It is computed from the semi-axes at 1 N, so that it is 0 without
-// load.
+// Returns the maximum pressure. It is computed from the semi-axes at 1 N, so that it is 0 if there
+// is no load.
 FORMULA(double, hertz_pressure,
         (double kappa, double second, double radius, double modulus, double load))
 {

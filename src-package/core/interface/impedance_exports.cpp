@@ -28,8 +28,8 @@ FORMULA(double, resistance_of_impedance, (double real, double imaginary))
   return resistance_of({real, imaginary});
 }
 
-// Computes the admittance (S) of the bearing at each point. Films are indexed by point, side and
-// ball.
+// Computes the admittance (S) of the bearing at each point. The arrays of films are indexed by
+// point, side and ball.
 EXPORT(void, bearing_admittances,
        (int points, int balls, const double *frequency, const double *capacitance,
         const double *conductance, double *real, double *imaginary))

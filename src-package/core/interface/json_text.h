@@ -11,7 +11,7 @@
 struct JsonText {
   std::string text;
 
-  // Adds text like printf.
+  // Appends text that is formatted as by printf.
   __attribute__((format(printf, 2, 3))) void add(const char *format, ...)
   {
     va_list all, again;

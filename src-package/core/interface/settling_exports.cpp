@@ -11,10 +11,11 @@ using raceway::Vec3;
 
 RECORD(SettlingOfRun, double torque, load, cage_speed, spin_axis;)
 
-// Computes the changes between the last two halves of `half` samples each. There are friction
-// torque, largest load on each raceway and cage speed for every sample, and load, position relative
-// to the bearing's centre and spin for every sample and ball, with z along the bearing's axis. If
-// there are no two halves, the changes are infinite.
+// Computes the changes between the last two halves, which consist of `half` samples each. The input
+// contains the friction torque, the largest load on each raceway and the cage speed for every
+// sample, and the load, the position relative to the bearing's centre and the spin for every sample
+// and ball, with z along the bearing's axis. If there are fewer than two halves, the changes are
+// infinite.
 EXPORT(void, settling,
        (int samples, int balls, int half, const double *torque, const double *load,
         const double *cage_speed, const double *ball_load, const double *place, const double *spin,

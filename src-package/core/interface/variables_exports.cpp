@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Writes the variables of decks as JSON, for Python and the documentation, and checks names in data
+// Writes the deck variables as JSON, for Python and the documentation, and checks the names in data
 // files.
 #include "../settings/deck_variable_table.h"
 #include "json_text.h"
@@ -26,8 +26,8 @@ extern "C" const char *variables_json()
   return text.c_str();
 }
 
-// Returns a message about `names`, which are separated by blanks. It is valid until the next call
-// by this thread.
+// Returns a message about the space-separated `names`. It is valid until the next call from this
+// thread.
 extern "C" const char *mistyped_name(const char *names)
 {
   static thread_local std::string message;

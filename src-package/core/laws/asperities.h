@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// This file computes the fraction of the contact load that is carried by asperities, L_a = exp(-B
-// Lambda^C) (Zhou and Hoeprich 1991, in Schwarz et al., Lubricants 2023, 11, 369; measured on
-// roller bearings) or 1 - erf(Lambda) (Clarke et al. 2016), and the resulting friction coefficient
+// Computes the fraction of the contact load that is carried by asperities, L_a = exp(-B Lambda^C)
+// (Zhou and Hoeprich 1991, in Schwarz et al., Lubricants 2023, 11, 369; measured on roller
+// bearings) or L_a = 1 - erf(Lambda) (Clarke et al. 2016), and the resulting friction coefficient
 // mu = L_a mu_b + (1 - L_a) mu_film (docs/tribology, Load sharing with asperities).
 #ifndef RACEWAY_ASPERITIES_H
 #define RACEWAY_ASPERITIES_H
@@ -13,7 +13,7 @@ namespace raceway {
 enum class AsperityLaw { zhou, clarke };
 
 struct Asperities {
-  double b = 2.1, c = 0.85;    // for a composite roughness of 0.1 um
+  double b = 2.1, c = 0.85;    // fitted constants for a composite roughness of 0.1 um
   AsperityLaw law = AsperityLaw::zhou;
 };
 
@@ -26,14 +26,15 @@ template <class T> RACEWAY_INLINE T complementary_error(const T &x)
   return sum * exponential(T(-x * x));
 }
 
-// Returns the asperity fraction L_a from ln Lambda. It is 1 without a film.
+// Returns the asperity fraction L_a from ln Lambda. The fraction is 1 if there is no film.
 template <class T> RACEWAY_INLINE T asperity_share(const Asperities &own, const T &ln_lambda)
 {
   if (own.law == AsperityLaw::clarke) return complementary_error(exponential(ln_lambda));
   return exponential(T(-own.b * exponential(T(own.c * ln_lambda))));
 }
 
-// Returns the friction coefficient mu of a contact with the asperity fraction L_a.
+// Returns the friction coefficient mu of a contact whose asperities carry the fraction L_a of the
+// load.
 template <class Film, class T>
 RACEWAY_INLINE T mixed_friction(double boundary, const Film &film, const T &share)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Drag of a ball in a mixture of oil and air (docs/tribology, Drag): C_D X rho A v^2/2 with A = pi
-// R_b^2, where X is the volume fraction of oil. C_D is the drag coefficient of a sphere at Re = rho
-// v 2R_b/eta. It is interpolated from a table on log-log axes, follows Stokes's law below Re = 0.1
-// and is constant above 1e5.
+// Drag on a ball that moves through a mixture of oil and air (docs/tribology, Drag). The drag force
+// is C_D X rho A v^2/2 with A = pi R_b^2, where X is the volume fraction of oil. C_D is the drag
+// coefficient of a sphere at Re = rho v 2R_b/eta. It is interpolated from a table on log-log axes,
+// follows Stokes's law below Re = 0.1 and is constant above 1e5.
 #ifndef RACEWAY_BALL_DRAG_H
 #define RACEWAY_BALL_DRAG_H
 
@@ -12,7 +12,8 @@ namespace raceway {
 
 struct DragTable {
   static constexpr int size = 7;
-  double x[size], bend[size], first;    // ln Re; change of slope at each ln Re; first ln C_D
+  double x[size], bend[size], first;    // values of ln Re; change of slope at each of them; ln C_D
+                                        // at the first
 };
 
 inline const DragTable &drag_table()

@@ -2,7 +2,8 @@
 // Drag of the oil on a one-piece cage: shear in the pockets, the film between the cage and its
 // guiding land, and churning at the cage's faces. Sources: Petroff's couple and Ocvirk's short
 // bearing (DuBois and Ocvirk, NACA Report 1157, 1953), with whirl as in Booker (J. Basic Eng. 87,
-// 1965); disc in a fluid: Schlichting, Boundary-Layer Theory. All values are in SI units.
+// 1965); for a disc that rotates in a fluid: Schlichting, Boundary-Layer Theory. All values are in
+// SI units.
 #ifndef RACEWAY_CAGE_DRAG_H
 #define RACEWAY_CAGE_DRAG_H
 
@@ -10,10 +11,10 @@
 
 namespace raceway {
 
-// Returns the couple on a ball that spins in its pocket, in N m per rad/s of relative spin normal
-// to the axis of the pocket. The flow is a Couette flow over a band of height H (m) in the gap c
-// (m), of which the fraction X is filled with oil. The couple is the integral of (eta w R |cos|/c)
-// R |cos| over the band; the couple about the pocket's axis is twice as large.
+// Returns the couple on a ball that spins in its pocket, in N m per rad/s of relative spin about an
+// axis normal to that of the pocket. The flow is a Couette flow over a band of height H (m) in the
+// gap c (m), of which the fraction X is filled with oil. The couple is the integral of (eta w R
+// |cos|/c) R |cos| over the band; the couple about the pocket's axis is twice as large.
 inline double pocket_shear(double viscosity, double ball_radius, double height, double gap,
                            double filled)
 {
@@ -23,13 +24,14 @@ inline double pocket_shear(double viscosity, double ball_radius, double height, 
 
 // The gap between a cage and the land of a ring that guides it.
 struct LandGap {
-  double radius = 0.0, clearance = 0.0;    // m, radius of the land; radial clearance
+  double radius = 0.0, clearance = 0.0;    // radius of the land and radial clearance, m
   double width = 0.0;                      // m, width of one land
   int lands = 2;                           // number of lands
-  double viscosity = 0.0, filled = 1.0;    // Pa s; fraction of the gap that is filled with oil
+  double viscosity = 0.0, filled = 1.0;    // oil viscosity, Pa s; fraction of the gap that is
+                                           // filled with oil
 };
 
-// Largest eccentricity ratio in the film law; beyond it the surfaces touch.
+// Largest eccentricity ratio for which the film law is used; beyond it the surfaces touch.
 constexpr double most_eccentric = 0.99;
 
 // Returns Petroff's couple in an eccentric gap, in N m per rad/s of relative speed; e is the ratio
@@ -42,15 +44,16 @@ inline double land_couple(const LandGap &g, double e)
          (g.clearance * std::sqrt(1.0 - cut * cut));
 }
 
-// Force of the film on the cage in the plane of the land, N.
+// Force (N) that the film exerts on the cage in the plane of the land.
 template <class T> struct LandForce {
   T x, y;
 };
 
-// Returns the force of the half film of a short bearing. x, y (m) and vx, vy (m/s) are the position
-// and velocity of the cage relative to the land; `sum` is the sum of the speeds of cage and land,
-// rad/s. The film resists approach and is dragged round at half that sum, so it does not support a
-// cage that whirls at half the sum.
+// Returns the force of the film of a short bearing, where only the half with positive pressure
+// counts (half film). x, y (m) and vx, vy (m/s) are the position and velocity of the cage relative
+// to the land; `sum` is the sum of the angular speeds of the cage and the land, rad/s. The film
+// resists approach and is dragged round at half that sum, so it does not support a cage that whirls
+// at half the sum.
 template <class T>
 LandForce<T> land_film(const LandGap &g, const T &x, const T &y, const T &vx, const T &vy,
                        double sum)
@@ -64,7 +67,7 @@ LandForce<T> land_film(const LandGap &g, const T &x, const T &y, const T &vx, co
   const T share = e / away, ex = x * share, ey = y * share;
   const T wx = vx / g.clearance, wy = vy / g.clearance;
   const T out = ex * wx + ey * wy, round = (ex * wy - ey * wx) / e;
-  const T turn = sum * e - 2.0 * round;    // entrainment relative to the whirling gap
+  const T turn = sum * e - 2.0 * round;    // entrainment speed relative to the whirling gap
   const T m = 1.0 - e * e, root = square_root(m);
   const T even = pi / (m * root),
           radial = 3.0 * pi * out / (m * m * root) + 2.0 * magnitude(turn) / (m * m),
@@ -73,8 +76,8 @@ LandForce<T> land_film(const LandGap &g, const T &x, const T &y, const T &vx, co
 }
 
 // Returns the couple (N m) on both faces of a disc of radius r (m) that rotates at w (rad/s) in a
-// mixture of density rho (kg/m^3) with the oil fraction X: X rho w^2 r^5 C_m/2, where C_m =
-// 3.87/sqrt(Re) below Re = rho w r^2/eta = 3e5 and 0.146/Re^0.2 above.
+// mixture with oil of density rho (kg/m^3) and the oil fraction X. The couple is X rho w^2 r^5
+// C_m/2, where C_m = 3.87/sqrt(Re) below Re = rho w r^2/eta = 3e5 and 0.146/Re^0.2 above.
 inline double churning_couple(double share, double density, double viscosity, double radius,
                               double speed)
 {

@@ -9,7 +9,7 @@
 namespace raceway {
 
 template <class T> struct DampedHertzT {
-  T stiffness = T();    // N/m, dF/d(overlap) for the spring alone
+  T stiffness = T();    // N/m, dF/d(overlap) of the spring alone
   T damping = T();      // N s/m
   T growth = T();       // N/m, derivative of the force with respect to the overlap, including the
                         // damping force
@@ -18,8 +18,8 @@ template <class T> struct DampedHertzT {
 using DampedHertz = DampedHertzT<double>;
 
 // Computes the force K overlap^1.5 plus critical damping 2 sqrt(k m), with the reduced mass m and
-// the present stiffness k. Preconditions: overlap >= 0 (m), K >= 0 (N/m^1.5), m > 0 (kg).
-// overlap_rate is in m/s and positive when the gap closes.
+// the current stiffness k. Preconditions: overlap >= 0 (m), K >= 0 (N/m^1.5), m > 0 (kg).
+// overlap_rate is in m/s; it is positive while the bodies approach each other.
 template <class T>
 RACEWAY_INLINE DampedHertzT<T> damped_hertz(double K, const T &overlap, const T &overlap_rate,
                                             const T &m)

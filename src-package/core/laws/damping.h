@@ -4,9 +4,10 @@
 //   F_n = max(0, Q + C d(overlap)/dt),  C = C_hyst + C_fluid   (Kelvin-Voigt, no adhesion)
 //   C_hyst  = 1.5 alpha_e Q                                    (Hunt & Crossley 1975)
 //   C_fluid = 3 pi eta/sqrt(2) l (R/h)^1.5                     (Walford & Stone 1983)
-// In the printed equation, l is the semi-axis a and R the ball radius; for the squeezing of a half
-// film per unit length, l would be 2a and R would be R_x (errata, eq 5). Both forms are available.
-// h has a lower limit, because the film thickness of a contact at rest is zero.
+// In the printed equation, l is the semi-axis a and R is the ball radius. A derivation from the
+// squeezing of a half film per unit length gives l = 2a and R = R_x instead (errata, eq 5). Both
+// forms are available. h has a lower limit, because the film thickness of a contact at rest is
+// zero.
 #ifndef RACEWAY_DAMPING_H
 #define RACEWAY_DAMPING_H
 

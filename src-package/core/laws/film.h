@@ -4,7 +4,8 @@
 // All laws here have the form h/R_x = c U^p G^g W^m (1 - k1 exp(-k2 kappa)) with
 //   U = eta u/(E' R_x),  G = xi E',  W = Q/(E' R_x^2),
 // and kappa is constant for a given raceway and contact angle, so ln h = lnA + p ln u + m ln Q. The
-// constants are computed once; each contact then costs only two logarithms and one exponential.
+// constants are computed once, so that evaluating a contact costs only two logarithms and one
+// exponential.
 //   u entrainment speed, m/s;  Q elastic contact load, N;  h in m.
 // Sources: Masjedi & Khonsari 2015 (smooth part, point contact); Hamrock & Dowson 1977.
 #ifndef RACEWAY_FILM_H
@@ -57,8 +58,8 @@ inline FilmPair film_laws(FilmModel model, double kappa, const Lubricant &oil, d
                                  oil, Eprime, Rx);
     return f;
   }
-  // eq 6 as printed; eq 9 with positive exponents of kappa (errata), or with negative ones as
-  // printed
+  // eq 6 is used as printed; in eq 9 the exponents of kappa are positive (errata) or negative (as
+  // printed)
   const double sign = model == FilmModel::masjedi_khonsari_printed ? -1.0 : 1.0;
   f.min = detail::film_law(1.637, 0.711 * std::pow(kappa, -0.023), 0.65 * std::pow(kappa, -0.045),
                            -0.09 * std::pow(kappa, -0.15), 1.0 - 0.974 * std::exp(-0.676 * kappa),
@@ -92,8 +93,8 @@ template <class T> RACEWAY_INLINE T film_thickness(const FilmLawT<T> &f, const F
   return exponential(ln_film_thickness(f, at));
 }
 
-// Returns the composite roughness sqrt(s1^2 + s2^2), m; the lambda ratio is Lambda =
-// h_min/composite (eq 7).
+// Returns the composite roughness sqrt(s1^2 + s2^2), m. The lambda ratio Lambda is h_min divided by
+// it (eq 7).
 inline double composite_roughness(double s1, double s2) { return std::sqrt(s1 * s1 + s2 * s2); }
 
 }    // namespace raceway

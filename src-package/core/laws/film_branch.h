@@ -26,9 +26,9 @@ RACEWAY_INLINE FilmBranchT<T> film_branch(const T &k, const T &h_c, const T &com
   return {0.44 * k * thin, speed / (1.33 * b)};
 }
 
-// Coefficients of a step over dt, in which f becomes `left` f + `slope` d(overlap)/dt. The step is
-// exact at a constant rate; in a stage of an implicit method it is a backward Euler step
-// (LawStates).
+// Coefficients of a step of length dt, during which f becomes `left` f + `slope` d(overlap)/dt. The
+// step is exact if the rate is constant. In a stage of an implicit method it is a backward Euler
+// step (LawStates).
 template <class T> struct BranchStepT {
   T left;     // 1
   T slope;    // N s/m
@@ -42,7 +42,7 @@ RACEWAY_INLINE BranchStepT<T> branch_step(const FilmBranchT<T> &f, double dt, bo
     return {left, f.stiffness * dt * left};
   }
   const T left = exponential(T(-part));
-  // (1 - e^-part)/part, by a series where the difference would suffer from cancellation
+  // (1 - e^-part)/part, computed from a series where the difference would suffer from cancellation
   const T series = 1.0 - part * (0.5 - part * (1.0 / 6 - part * (1.0 / 24 - part * (1.0 / 120))));
   const T mean = where(part > 1e-3, T((1.0 - left) / part), series);
   return {left, f.stiffness * dt * mean};

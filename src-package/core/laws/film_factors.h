@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Factors on the smooth, isothermal, fully flooded film (docs/tribology, Film thickness factors).
+// Factors that correct the thickness of a smooth, isothermal, fully flooded film (docs/tribology,
+// Film thickness factors).
 //
-// Inlet shear heats the oil that enters: with the thermal loading L = beta eta u^2/k_f
+// Shear in the inlet heats the oil that enters. With the thermal loading L = beta eta u^2/k_f, the
+// factor is
 //   Murch and Wilson 1975   3.94/(3.94 + L^0.62)
 //   Wilson 1979             1/(1 + 0.1 L^0.64)
 //   Gupta et al. 1992       (1 - 13.2 P L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64)
-// with P = p_max/E', S = s/u and the sliding speed s. They are valid for L below about 10. The term
-// 13.2 P L^0.42 is limited to 0.9. Starvation is a factor given by the user. Derivatives of a law
-// treat the factors as constants.
+// where P = p_max/E', S = s/u, and s is the sliding speed. They are valid for L below about 10. The
+// term 13.2 P L^0.42 is limited to 0.9. Starvation is a factor given by the user. The factors are
+// treated as constants in the derivatives of a law.
 #ifndef RACEWAY_FILM_FACTORS_H
 #define RACEWAY_FILM_FACTORS_H
 
@@ -31,7 +33,7 @@ template <class T> RACEWAY_INLINE T murch_wilson(const T &ln_L)
   return 3.94 / (3.94 + exponential(T(0.62 * ln_L)));
 }
 
-// Gupta's factor for a contact: unpressed (1 - least(per_pressure P, 0.9)).
+// Gupta's factor for a contact is unpressed (1 - least(per_pressure P, 0.9)).
 template <class T> struct GuptaFactorT {
   T unpressed, per_pressure;
 
@@ -53,7 +55,7 @@ struct FilmFactors {
   // computed by prepare()
   double ln_loading = 0.0;    // ln(L/u^2)
   bool any = false;
-  bool by_pressure = false;    // true: Gupta's factor is used, which of() does not include
+  bool by_pressure = false;    // true: Gupta's factor is used, and of() does not include it
 
   void prepare(double viscosity)
   {

@@ -7,12 +7,12 @@
 //   e film thickness at the load Q_0, m;  z fraction of the film thickness that adds to the overlap
 //
 // With r = x/x_0, x_0 = (Q_0/K)^(2/3) and n = 1.5 m, this is r - H r^-n = D for r > 1 and r - H = D
-// below. The left side increases with r and is concave, so there is exactly one root, and it lies
-// between 1 and D + H. A step from r to r (1 + e) uses four terms of the inverted Taylor series in
-// Newton's relative step s. All derivatives follow from r^-n. The first step, from D + H with an
-// approximate r^-n, ends within 1e-3 of the root for films up to 16 x_0. One more step with the
-// exact r^-n then reaches rounding accuracy; thicker films need more steps. Each lane stops
-// independently, so its result does not depend on the other lanes.
+// below. The left side is an increasing, concave function of r, so there is exactly one root, which
+// lies between 1 and D + H. A step from r to r (1 + e) uses four terms of the inverted Taylor
+// series in Newton's relative step s. All derivatives follow from r^-n. The first step starts from
+// D + H with an approximate r^-n and ends within 1e-3 of the root if the film is no thicker than 16
+// x_0. One more step with the exact r^-n then reaches rounding accuracy. Thicker films need more
+// steps. Each lane stops independently, so its result does not depend on the other lanes.
 #ifndef RACEWAY_FILM_GAP_H
 #define RACEWAY_FILM_GAP_H
 
@@ -20,8 +20,8 @@
 
 namespace raceway {
 
-constexpr double power_law_cut = 1.0;    // N, below it the film thickness of a power law is
-                                         // constant
+constexpr double power_law_cut = 1.0;    // load (N) below which the film thickness of a power law
+                                         // is constant
 
 template <class T> struct FilmGapT {
   T compression;    // x, m
@@ -31,8 +31,8 @@ template <class T> struct FilmGapT {
 };
 
 namespace detail {
-// One step from r towards r = D + H q, q = r^-n: Newton's step s and the four-term step e, both
-// divided by r.
+// One step from r towards the solution of r = D + H q, q = r^-n. It consists of Newton's step s and
+// the four-term step e, both divided by r.
 template <class T> struct GapStepT {
   T s, e;
 };
@@ -47,15 +47,15 @@ RACEWAY_INLINE GapStepT<T> gap_step(const T &r, const T &h, const T &D, const T 
 }
 }    // namespace detail
 
-// Solves the power law. zero: x_0, m; film: z e, m; load_exponent: exponent m. Precondition:
-// overlap + film > 0.
+// Solves the power law. The arguments are `zero`, which is x_0 in m; `film`, which is z e in m; and
+// `load_exponent`, the exponent m. Precondition: overlap + film > 0.
 template <class T>
 RACEWAY_INLINE FilmGapT<T> compress(const T &overlap, const T &film, const T &zero,
                                     const T &load_exponent)
 {
   constexpr int most = 30;
   constexpr double small = 1e-3;       // step whose fifth power is below rounding
-  constexpr double long_step = 0.1;    // limit of the step; beyond it the series may diverge
+  constexpr double long_step = 0.1;    // limit on the step, beyond which the series may diverge
   const T n = 1.5 * load_exponent, per = 1.0 / zero, D = overlap * per, H = film * per, all = D + H;
   const auto thinned = all > 1.0;
   const T from = where(thinned, all, 1.0);
@@ -85,8 +85,8 @@ RACEWAY_INLINE FilmGapT<T> compress(const T &overlap, const T &film, const T &ze
   return {zero * x, thinning, slope, 1.5 * ln_r};
 }
 
-// Returns the work (J) that thins a power-law film h from its thickness `edge` (m) at the load
-// `cut` (N).
+// Returns the work (J) required to thin a film that follows a power law, starting from its
+// thickness `edge` (m) at the load `cut` (N).
 template <class T>
 RACEWAY_INLINE T thinning_work(double share, const T &load_exponent, const T &load, const T &h,
                                double cut, const T &edge)

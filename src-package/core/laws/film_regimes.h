@@ -15,7 +15,7 @@
 
 namespace raceway {
 
-// Film thickness at a load. `fall` is -d(ln h)/d(ln Q).
+// Film thickness at a given load; `fall` is -d(ln h)/d(ln Q).
 template <class T> struct FilmAtLoadT {
   T thickness, fall;    // m, 1
 };
@@ -57,8 +57,8 @@ struct MoesRaceway {
   {
   }
 
-  // Returns the geometry factors at a contact angle. Like a raceway's constants, they are exact at
-  // zero angle.
+  // Returns the geometry factors at a contact angle. At zero angle they are exact, as are the
+  // constants of a raceway.
   template <class T>
   RACEWAY_INLINE MoesShapeT<T> shape(const T &cos_angle, const T &rolling_radius,
                                      double radial_radius) const
@@ -77,7 +77,7 @@ struct MoesRaceway {
 template <class T> class MoesFilmT {
  public:
   MoesFilmT() = default;
-  // ln_factor is the logarithm of a factor on the film thickness.
+  // ln_factor is the logarithm of a factor by which the film thickness is multiplied.
   RACEWAY_INLINE MoesFilmT(const MoesRaceway &k, const MoesShapeT<T> &shape, const T &ln_u,
                            const T &ln_factor)
   {
@@ -111,10 +111,10 @@ template <class T> class MoesFilmT {
     return {exponential(T(scale_ + ln_H)), fall};
   }
 
-  // Returns the logarithm of the load at which a rigid contact has a film of thickness e^ln_h. It
-  // is a lower bound.
+  // Returns the logarithm of the load at which a rigid contact has a film of thickness e^ln_h. This
+  // is a lower bound on the load at which the contact has that film.
   RACEWAY_INLINE T below(const T &ln_h) const { return unit_ + 0.5 * (ri_ - (ln_h - scale_)); }
-  // Returns the logarithm of the thickness that only a rigid contact exceeds.
+  // Returns the logarithm of the film thickness that can be exceeded only by a rigid contact.
   RACEWAY_INLINE T widest() const { return widest_; }
 
  private:

@@ -2,9 +2,9 @@
 // Friction coefficient of a sliding film in a Hertz contact (docs/tribology, Traction):
 //   tau(p) = min(tau_0 asinh(eta(p) s/(h tau_0)), Lambda_L p),  eta(p) after Roelands,
 //   mu Q = integral of tau over the ellipse = 3 Q/p_max integral of tau(t p_max) t dt, t in 0 to 1,
-// The integral uses eight Gauss points in t = sqrt(1 - r^2), where the radius r is in units of the
-// semi-axes. The error is at most 0.9 % (2.8 % with six points) and is mostly due to the kink of
-// tau. The sliding speed s is assumed to be uniform over the ellipse.
+// The integral is evaluated at eight Gauss points in t = sqrt(1 - r^2), where the radius r is in
+// units of the semi-axes. The error is at most 0.9 % (2.8 % with six points) and is mostly due to
+// the kink of tau. The sliding speed s is assumed to be uniform over the ellipse.
 #ifndef RACEWAY_FILM_TRACTION_H
 #define RACEWAY_FILM_TRACTION_H
 
@@ -87,7 +87,7 @@ struct FilmTraction {
   }
 
  private:
-  static constexpr double most = 300.0;    // limit of ln x, at which tau is far above Lambda_L p
+  static constexpr double most = 300.0;    // upper limit of ln x, where tau is far above Lambda_L p
 };
 
 }    // namespace raceway

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Friction coefficient (docs/theory, Friction; Farah 2020 fig. 5), tangential spring with a Coulomb
-// cap, and Coulomb's law smoothed over a creep speed.
+// Friction laws: the friction coefficient (docs/theory, Friction; Farah 2020 fig. 5), a tangential
+// spring capped by Coulomb's law, and Coulomb's law smoothed over a creep speed.
 //
 // The friction coefficient mu is a constant or depends on the lambda ratio Lambda. In the latter
-// case it has its boundary value below Lambda_1 and its full-film value above Lambda_2. In between
-// it follows the cubic 3s^2 - 2s^3, s = (Lambda - Lambda_1)/(Lambda_2 - Lambda_1), so that mu and
-// dmu/dLambda are continuous (the curve in fig. 5 is schematic; the cubic is our choice).
+// case it is equal to its boundary-lubrication value below Lambda_1 and to its full-film value
+// above Lambda_2. In between, it follows the cubic 3s^2 - 2s^3, s = (Lambda - Lambda_1)/(Lambda_2 -
+// Lambda_1), so that mu and dmu/dLambda are continuous (the curve in fig. 5 is schematic; the cubic
+// is our choice).
 #ifndef RACEWAY_FRICTION_H
 #define RACEWAY_FRICTION_H
 
@@ -32,9 +33,10 @@ inline int regime(const StribeckCurve &c, double lambda)
 }
 
 // Tangential spring-dashpot in the two directions t and w of the contact frame, capped at mu N. xi
-// is the elongation of the spring (m); if the contact slides, xi is reset so that spring force plus
-// dashpot force equals the cap. The contact frame turns with the ball's azimuth, so xi needs no
-// transformation. ft and fw receive the force of the raceway on the ball along -t and -w.
+// is the elongation of the spring (m); if the contact slides, xi is reset so that the sum of the
+// spring and dashpot forces equals the cap. The contact frame turns with the ball's azimuth, so xi
+// needs no transformation. The force of the raceway on the ball along -t and -w is returned in ft
+// and fw.
 template <class T> struct TangentialSpringT {
   T k = T();    // N/m
   T c = T();    // N s/m
@@ -57,11 +59,12 @@ RACEWAY_INLINE void tangential_force(const TangentialSpringT<T> &s, const T &cap
   xi[1] = where(slides, T((fw - s.c * vw) / s.k), xi[1]);
 }
 
-// Coulomb's law smoothed over a sliding speed v_0:  f = mu N s/sqrt(|s|^2 + v_0^2). The law has no
-// history, is odd and monotonic in s, tends to mu N for |s| >> v_0 and acts as a dashpot mu N/v_0
-// at small s, so a loaded contact creeps slightly where a spring would stick. In a rolling contact
-// the law acts as a traction curve: if v_0 = c u (with the entrainment speed u), f depends only on
-// the slide-roll ratio s/u, with a knee at s/u = c. Returns f/s, N s/m; cap = mu N.
+// Coulomb's law smoothed over a sliding speed v_0: f = mu N s/sqrt(|s|^2 + v_0^2). The law has no
+// history. It is odd and monotonic in s, tends to mu N for |s| >> v_0 and acts as a dashpot mu
+// N/v_0 at small s, so a loaded contact creeps slightly where a spring would stick. In a rolling
+// contact the law acts as a traction curve: if v_0 = c u, where u is the entrainment speed, f
+// depends only on the slide-roll ratio s/u, with a knee at s/u = c. Returns f/s in N s/m; `cap` is
+// mu N.
 template <class T, class S>
 RACEWAY_INLINE T smoothed_friction(const T &cap, const S &slip_t, const S &slip_w, const S &v_0)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contact between a grain and another grain or a wall: linear spring and dashpot, and friction by a
-// spring with history (Cundall and Strack, Geotechnique 29, 1979, 47; docs/fix_bearing_grains).
+// Contact between a grain and another grain or a wall: a linear spring and dashpot in the normal
+// direction, and friction modelled by a spring with history (Cundall and Strack, Geotechnique 29,
+// 1979, 47; docs/fix_bearing_grains).
 #ifndef RACEWAY_GRAIN_CONTACT_H
 #define RACEWAY_GRAIN_CONTACT_H
 
@@ -13,7 +14,8 @@ namespace raceway {
 struct GrainContact {
   Vec3 spring;            // m, tangential
   Vec3 force;             // N
-  Vec3 couple;            // N, normal x force: moment on a body divided by that body's lever
+  Vec3 couple;            // N, normal x force, i.e. the moment on a body divided by that body's
+                          // lever
   Vec3 moment;            // N m, moment of the force about the centre of a rotating wall
   double energy = 0.0;    // J, stored in both springs
 };
@@ -25,15 +27,16 @@ struct GrainMeeting {
   double overlap;    // m
   Vec3 n;            // unit normal towards the first body
   Vec3 v;            // m/s, velocity of the first body's centre relative to that of the second
-  Vec3 turn;         // m/s, sum of angular velocity times lever over the grains in contact
-  Vec3 arm, spin;    // of a wall: position of the contact relative to its centre, m; angular
-                     // velocity, rad/s
+  Vec3 turn;         // m/s, sum over the grains in contact of angular velocity times lever
+  Vec3 arm, spin;    // for a wall: position of the contact relative to the wall's centre, m, and
+                     // angular velocity of the wall, rad/s
 };
 
 // Advances a contact by dt (s) and returns the energy dissipated in it (J), i.e. the work of the
 // bodies on the contact minus the energy stored in the springs. Velocities are evaluated at the
-// half step; forces and moments are averaged over both ends of the step. The result equals the loss
-// in velocity Verlet except for the change of the grains' levers within a step.
+// half step; forces and moments are averaged over both ends of the step. The result equals the
+// energy dissipated by velocity Verlet, except that it neglects the change of the grains' levers
+// within a step.
 inline double advance(GrainContact &c, const GrainLaw &law, const GrainMeeting &m, double dt)
 {
   const GrainContact before = c;

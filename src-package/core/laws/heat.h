@@ -26,9 +26,9 @@ inline double contact_conductance(double a, double b, double u)
   return integral * 2.0 * a * std::sqrt(2.0 * property * b * u / 3.14159265358979323846);
 }
 
-// Returns the conductance (W/K) of the seats and housing of a radial bearing with these dimensions
-// (m) at the reference conditions of ISO 15312: W_s = q_r pi B (D + d)/50 K, q_r = 0.016 W/mm^2
-// (from memory, unchecked).
+// Returns the conductance (W/K) of the seats and housing of a radial bearing with the given
+// dimensions (m) under the reference conditions of ISO 15312, W_s = q_r pi B (D + d)/50 K, q_r =
+// 0.016 W/mm^2 (from memory, unchecked).
 inline double iso_15312_conductance(double bore, double outside, double width)
 {
   return 0.016e6 * 3.14159265358979323846 * width * (outside + bore) / 50.0;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Heat flow between the parts of a bearing (inner ring, balls, outer ring, housing and ambient) as
-// a linear network that is advanced exactly by its matrix exponential (docs/heat).
+// a linear network, which is integrated exactly by its matrix exponential (docs/heat).
 //
 //   ambient -shaft- inner ring -inner- balls -outer- outer ring -seat- housing -housing- ambient
 //
-// If the housing is not a node (capacity 0), the outer ring is cooled through seat and housing in
-// series. Flowing oil connects inner ring, balls and outer ring with one another and with the oil
-// inlet; the heat capacity of the oil inside the bearing is neglected.
+// If the housing is not a node (capacity 0), the outer ring is cooled through the seat and the
+// housing in series. Flowing oil connects the inner ring, the balls and the outer ring with one
+// another and with the oil inlet. The heat capacity of the oil inside the bearing is neglected.
 #ifndef RACEWAY_HEAT_NETWORK_H
 #define RACEWAY_HEAT_NETWORK_H
 
@@ -23,7 +23,7 @@ constexpr int heat_inputs = heat_nodes + 1;    // W, into the nodes and into the
 
 struct HeatNetwork {
   double capacity[heat_nodes] = {};    // J/K; housing: 0 if there is none
-  double inner = 0.0, outer = 0.0;     // W/K, from each ring to all balls together
+  double inner = 0.0, outer = 0.0;     // W/K, conductance from each ring to all balls together
   double shaft = 0.0;                  // W/K, from the inner ring to ambient
   double seat = 0.0;                   // W/K, from the outer ring to the housing; 0: no thermal
                                        // resistance
@@ -39,8 +39,8 @@ struct HeatNetwork {
   }
 };
 
-// The network expressed in its modes, with heat inputs (W, heat_inputs) that are constant or vary
-// linearly to `end` within `over` seconds.
+// The network in modal coordinates. Its inputs are `heat_inputs` heat flows (W), which are constant
+// or vary linearly to `end` within `over` seconds.
 class HeatFlow {
  public:
   HeatFlow(const HeatNetwork &of, const double *heat, const double *end, double over) :
@@ -68,8 +68,8 @@ class HeatFlow {
     } else {
       to_ambient[2] = of.cooling();
     }
-    if (of.oil.flows()) {    // the oil is eliminated: it contributes links between the surfaces and
-                             // to the inlet
+    if (of.oil.flows()) {    // the oil is eliminated, which leaves links between the surfaces and
+                             // from the surfaces to the inlet
       const OilFlow &oil = of.oil;
       for (int i = 0; i < OilFlow::surfaces; ++i) {
         const double share = oil.conductance(i) / oil.total(), to_inlet = share * oil.flow;
@@ -87,7 +87,7 @@ class HeatFlow {
       g[i][i] += to_ambient[i];
       into[i] = heat[i] + from_oil[i];
     }
-    if (n_ == 3) into[2] += heat[3];    // heat into a housing without capacity
+    if (n_ == 3) into[2] += heat[3];    // the heat that enters a housing without capacity
     find_steady(g, into);
     for (int i = 0; i < n_; ++i)
       for (int j = 0; j < n_; ++j) g[i][j] /= root_[i] * root_[j];
@@ -103,7 +103,8 @@ class HeatFlow {
   // ambient and carried away by the oil.
   double advance(const double *from, double time, double *to) const
   {
-    double now[heat_nodes], sum[heat_nodes];    // rises over ambient times root_; time integrals
+    double now[heat_nodes], sum[heat_nodes];    // temperature rises above ambient times root_; time
+                                                // integrals
     double rise[heat_nodes] = {}, spent[heat_nodes] = {};
     for (int m = 0; m < n_; ++m) {
       double begin = 0.0;
@@ -135,7 +136,8 @@ class HeatFlow {
     if (n_ == 3) to[3] = housing_of(to[2]);
   }
 
-  // Returns the longest time (s), up to `most`, in which no node changes by more than `change` (K).
+  // Returns the longest time (s), up to `most`, during which no temperature changes by more than
+  // `change` (K).
   double time_of_change(const double *from, double change, double most) const
   {
     const auto fits = [&](double time) {
@@ -161,7 +163,7 @@ class HeatFlow {
     return net_.ambient + (outer_ring - net_.ambient) * net_.seat / (net_.seat + net_.housing);
   }
 
-  // Computes the equilibrium temperature rises over ambient for the conductances `g`. The
+  // Computes the equilibrium temperature rises above ambient for the conductances `g`. The
   // elimination stores the conductance of each part to ambient separately from the links between
   // parts, so it never subtracts nearly equal numbers (Grassmann, Taksar, Heyman, Oper. Res. 33,
   // 1985).
@@ -171,8 +173,8 @@ class HeatFlow {
     for (int i = 0; i < n_; ++i) {
       for (int j = 0; j < n_; ++j)
         if (i != j) link[i][j] = -g[i][j];
-      out[i] = to_ambient_[i];    // conductance to ambient, including paths through parts
-                                  // eliminated so far
+      out[i] = to_ambient_[i];    // conductance to ambient, including the paths through the parts
+                                  // already eliminated
       drive[i] = heat[i];
     }
     for (int k = 0; k < n_; ++k) {
@@ -232,13 +234,15 @@ class HeatFlow {
 
   HeatNetwork net_;
   int n_;
-  double root_[heat_nodes] = {}, to_ambient_[heat_nodes] = {};    // root of the capacities; W/K
-  // W, heat carried away by the oil, excluding the heat due to the parts' temperature rises over
-  // ambient
+  double root_[heat_nodes] = {}, to_ambient_[heat_nodes] = {};    // square roots of the capacities;
+                                                                  // W/K
+  // W, heat carried away by the oil, excluding the part that is proportional to the temperature
+  // rises above ambient
   double to_outlet_ = 0.0;
-  double rate_[heat_nodes] = {}, steady_[heat_nodes] = {};    // by mode
-  double growth_[heat_nodes] = {};                            // of steady_, by mode, 1/s
-  double steady_rise_[heat_nodes] = {};                       // K, over ambient
+  double rate_[heat_nodes] = {}, steady_[heat_nodes] = {};    // for each mode
+  double growth_[heat_nodes] = {};                            // growth of steady_ for each mode,
+                                                              // 1/s
+  double steady_rise_[heat_nodes] = {};                       // K, above ambient
   double mode_[heat_nodes][heat_nodes] = {};
 };
 

@@ -6,11 +6,11 @@
 //   E' = 2/sum((1 - nu^2)/E),
 //   a = (6 kappa^2 Ebar Q R / (pi E'))^(1/3),  b = a/kappa,  p_max = 1.5 Q/(pi a b).
 //
-// R_x is the effective radius along the rolling direction and R_y across the groove. Internally the
-// longer axis of the ellipse is "major"; kappa = a/b is reported as the axis across the groove over
-// the axis along rolling and may be below 1. All values are in SI units. Source of the exact
-// relation: Johnson, Contact Mechanics (1985), eqs 4.25-4.28; fits: Hamrock & Brewe 1983, and the
-// form printed in Farah 2020 (F = 1 + q ln alpha).
+// R_x is the effective radius along the rolling direction and R_y across the groove. Internally,
+// the longer axis of the ellipse is called "major". The reported kappa = a/b is the axis across the
+// groove divided by the axis along rolling, so it may be below 1. All values are in SI units.
+// Source of the exact relation: Johnson, Contact Mechanics (1985), eqs 4.25-4.28; fits: Hamrock &
+// Brewe 1983, and the form printed in Farah 2020 (F = 1 + q ln alpha).
 #ifndef RACEWAY_HERTZ_H
 #define RACEWAY_HERTZ_H
 
@@ -29,10 +29,10 @@ struct ContactEllipse {
 };
 
 // Finds the axis ratio from the ratio of effective radii by bisection and the secant method in
-// ln(kappa): R_minor/R_major = (1/R_y)/(1/R_x) = m1 D(m)/(K(m) - D(m)), m1 = 1/kappa^2.
+// ln(kappa), from R_minor/R_major = (1/R_y)/(1/R_x) = m1 D(m)/(K(m) - D(m)), m1 = 1/kappa^2.
 inline ContactEllipse exact_ellipse_major(double alpha)    // alpha = R_y/R_x >= 1
 {
-  // f is monotonic in L = ln kappa, f(0) = -ln(alpha) <= 0, and always kappa <= alpha.
+  // f is monotonic in L = ln kappa, f(0) = -ln(alpha) <= 0, and kappa <= alpha always holds.
   auto residual = [alpha](double L, EllipticIntegrals &v) {
     const double m1 = std::exp(-2.0 * L);
     v = complete_elliptic(m1);
@@ -71,9 +71,9 @@ inline ContactEllipse fitted_ellipse_major(double alpha, Ellipse form)
   return c;
 }
 
-// Returns the ellipse for any R_y/R_x, with F and E as functions of the squared modulus 1 -
-// 1/kappa^2. If R_y/R_x is below 1, the axes are swapped: with kappa' = 1/kappa, F(1 - 1/kappa^2) =
-// kappa' F(1 - 1/kappa'^2) and E(1 - 1/kappa^2) = E(1 - 1/kappa'^2)/kappa'.
+// Returns the ellipse for any R_y/R_x. F and E are functions of the squared modulus 1 - 1/kappa^2.
+// If R_y/R_x is below 1, the axes are swapped: with kappa' = 1/kappa, F(1 - 1/kappa^2) = kappa' F(1
+// - 1/kappa'^2) and E(1 - 1/kappa^2) = E(1 - 1/kappa'^2)/kappa'.
 inline ContactEllipse contact_ellipse(double Rx, double Ry, Ellipse form)
 {
   const bool swapped = Ry < Rx;
@@ -149,7 +149,7 @@ inline HertzContact hertz_contact(double Rx, double Ry, double Eprime, Ellipse f
   return h;
 }
 
-// Effective radii of a ball in a groove at a contact angle alpha, whose cosine is given
+// Effective radii of a ball in a groove, computed from the cosine of the contact angle alpha
 // (docs/theory, Geometry): gamma = R_b cos(alpha)/r_pitch, R_x = R_b (1 -+ gamma), R_y = R_b
 // r_c/(r_c - R_b).
 struct EffectiveRadii {
@@ -163,8 +163,8 @@ inline EffectiveRadii groove_radii(double ball_radius, double groove_radius, dou
           ball_radius * groove_radius / (groove_radius - ball_radius)};
 }
 
-// Returns the stiffness of two spheres, K = 4/3 E* sqrt(R), E* = E'/2 (the algebra of Farah 2020
-// eq. 3 without its extra 1/(1 - nu); multiply by 1/(1 - nu) to obtain the form as printed).
+// Returns the stiffness of two spheres, K = 4/3 E* sqrt(R), E* = E'/2 (this is Farah 2020 eq. 3
+// without its extra factor 1/(1 - nu); multiply by 1/(1 - nu) to obtain the printed form).
 inline double sphere_stiffness(double R1, double R2, double Eprime)
 {
   return 2.0 / 3.0 * Eprime * std::sqrt(R1 * R2 / (R1 + R2));
@@ -182,7 +182,7 @@ inline double tangential_ratio(double E1, double nu1, double E2, double nu2)
 
 // Returns the smallest overlap (m) at which the semi-axis across the groove, a sqrt(overlap),
 // reaches the groove radius, where the half-space assumption of Hertz is no longer valid. `raceway
-// static` applies the same rule.
+// static` uses the same limit.
 inline double widest_overlap(double a, double groove_radius)
 {
   const double ratio = groove_radius / a;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Parameters of the kinds of lubrication: inlet length of a rolling contact, SKF's starvation
-// constant K_rs, and fraction of the space around the balls that is filled with oil
+// Parameters of each kind of lubrication: the inlet length of a rolling contact, SKF's starvation
+// constant K_rs, and the fraction of the space around the balls that is filled with oil
 // (docs/tribology, Kinds of lubrication).
 #ifndef RACEWAY_LUBRICATION_H
 #define RACEWAY_LUBRICATION_H
@@ -13,7 +13,8 @@ enum class LubricationKind { bath, jet, mist, grease, minimal };
 constexpr const char *lubrication_kinds = "bath jet mist grease minimal";
 
 struct Lubrication {
-  double inlet = 0.0;            // inlet length over semi-axis b; 0: flooded, 1: shortest inlet
+  double inlet = 0.0;            // inlet length divided by the semi-axis b; 0: flooded, 1: shortest
+                                 // inlet
   double replenishment = 0.0;    // K_rs; 0: no starvation
   double share = 0.0;            // X, volume fraction of oil
 };
@@ -39,7 +40,7 @@ inline double immersed_share(double level, double pitch)
 // `density` is that of the oil in kg/m^3.
 inline Lubrication lubrication(LubricationKind kind, double level, double pitch, double density)
 {
-  constexpr double groove = 3.0;    // inlet length in a bearing's groove (Balan et al. 2015)
+  constexpr double groove = 3.0;    // inlet length in the groove of a bearing (Balan et al. 2015)
   constexpr double oil = 3e-8, grease = 6e-8;          // K_rs, SKF
   const double air = std::fmin(1.2 / density, 1.0);    // ratio of the density of air to that of oil
   switch (kind) {
@@ -49,8 +50,8 @@ inline Lubrication lubrication(LubricationKind kind, double level, double pitch,
       // SKF's factor applies to oil levels up to the centre of the lowest ball
       return {all ? 0.0 : groove, level > 0.5 ? 0.0 : oil, share > air ? share : air};
     }
-    case LubricationKind::jet:    // SKF: twice the drag of a bath up to the centre of the lowest
-                                  // ball
+    case LubricationKind::jet:    // SKF: twice the drag in a bath that reaches the centre of the
+                                  // lowest ball
       return {groove, oil, 2.0 * immersed_share(0.5, pitch)};
     default: return {1.0, grease, air};
   }

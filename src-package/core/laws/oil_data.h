@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Oil properties at a given temperature, from data sheets (docs/tribology, Temperature dependence
-// of lubricant properties). Temperatures are in degrees C, kinematic viscosities in mm^2/s.
+// Computes oil properties at a given temperature from data sheet values (docs/tribology,
+// Temperature dependence of lubricant properties). Temperatures are in degrees C, kinematic
+// viscosities in mm^2/s.
 //   Walther, ASTM D341   lg lg(nu + 0.7) = A - B lg T, T in K, through nu at 40 and 100 C
 //   Vogel                eta = k exp(b/(T + c))
-//   density, 1/xi        linear in temperature: FVA 3 at ambient pressure has this form of 1/xi
+//   density, 1/xi        linear in temperature (at ambient pressure, FVA 3 gives 1/xi this form)
 //   permittivity         Clausius-Mossotti: (e - 1)/(e + 2) proportional to the density
 #ifndef RACEWAY_OIL_DATA_H
 #define RACEWAY_OIL_DATA_H
@@ -17,7 +18,7 @@ struct KinematicViscosity {
   double slope;    // -d(ln nu)/dT, 1/K
 };
 
-// Precondition: nu_40 > nu_100 > 0.3, the limit of the double logarithm.
+// Precondition: nu_40 > nu_100 > 0.3, below which the double logarithm is not defined.
 inline KinematicViscosity walther(double nu_40, double nu_100, double temperature)
 {
   const auto twice = [](double nu) { return std::log10(std::log10(nu + 0.7)); };
@@ -31,7 +32,7 @@ inline KinematicViscosity walther(double nu_40, double nu_100, double temperatur
 struct OilData {
   double density_40;                                       // kg/m^3
   double density_slope;                                    // kg/(m^3 K), decrease in density per
-                                                           // kelvin
+                                                           // kelvin of temperature rise
   double pressure_viscosity_40, pressure_viscosity_100;    // 1/Pa
   double permittivity_40;                                  // relative
 

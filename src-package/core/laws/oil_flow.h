@@ -23,8 +23,8 @@ inline double oil_convection(double conductivity, double heat_capacity, double d
          std::sqrt(speed * density / (viscosity * pitch_diameter));
 }
 
-// Areas of the surfaces wetted by oil (m^2): the balls, and cylinders with the radii of the
-// raceways and the width of the bearing (m).
+// Areas of the surfaces wetted by oil (m^2), i.e. of the balls and of two cylinders that have the
+// radii of the raceways and the width of the bearing (m).
 struct WettedSurfaces {
   double inner, balls, outer;
 };

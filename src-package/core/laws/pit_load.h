@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Load of a ball over a pit that is narrower than the contact patch (docs/theory, Flaws of a
-// raceway). The strip of the patch over the pit, which carries the fraction chi of the load, has an
-// overlap reduced by the depth D; the remainder of the patch has the full overlap:
+// raceway). The strip of the patch over the pit, which would carry the fraction chi of the load,
+// has an overlap that is reduced by the depth D. The remainder of the patch has the full overlap.
+// The load is
 //   Q/K = chi max(0, d - D)^1.5 + (1 - chi) d^1.5,    chi = 1.5 x - 0.5 x^3, x = sqrt(e/d)
-// for d > e, and chi = 1 below. d is the overlap without the pit, and e is the overlap at which the
-// patch is as wide as the pit. The stored energy and its first and second derivatives with respect
-// to d and D have closed-form expressions.
+// for d > e, and chi = 1 otherwise. d is the overlap without the pit, and e is the overlap at which
+// the patch is as wide as the pit. The stored energy and its first and second derivatives with
+// respect to d and D have closed-form expressions.
 #ifndef RACEWAY_PIT_LOAD_H
 #define RACEWAY_PIT_LOAD_H
 
@@ -17,7 +18,7 @@ struct PitLoad {
   double energy;        // m^2.5, stored energy divided by K
   double load, side;    // m^1.5, derivatives of `energy` with respect to d and to -D
   double dd, dD, DD;    // m^0.5, second derivatives of `energy`
-  double wide;          // m^2, minus the derivative of `energy` with respect to sqrt(e)
+  double wide;          // m^2, negative derivative of `energy` with respect to sqrt(e)
 };
 
 namespace detail {

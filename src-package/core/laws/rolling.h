@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Kinematics of pure rolling at zero contact angle, which is the initial state of a rotating
-// bearing.
+// Kinematics of pure rolling at zero contact angle. A rotating bearing starts in this state.
 #ifndef RACEWAY_ROLLING_H
 #define RACEWAY_ROLLING_H
 
 namespace raceway {
 
 struct Rolling {
-  double orbit = 0.0;    // rad/s, ball centres (and cage) about the bearing axis
+  double orbit = 0.0;    // rad/s, speed of the ball centres (and cage) about the bearing axis
   double spin =
       0.0;    // rad/s, spin of the ball about its own axis, parallel to the bearing axis, in the
               // inertial frame

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Fraction of the flooded rolling resistance that remains with a short inlet (docs/tribology,
+// Fraction of the flooded rolling resistance that remains if the inlet is short (docs/tribology,
 // Rolling resistance). The resisting force of the inlet follows from Reynolds's equation for a line
-// contact with the central thickness h_c and Hertz's gap in front of the contact, up to a meniscus
-// at m b:
+// contact with the central thickness h_c and the Hertzian gap in front of the contact, integrated
+// up to a meniscus at m b:
 //   f ~ integral from 1 to m of (h - h_c)/h^2 dX,  h = h_c + b^2 g(X)/(2 R_x),
 //   g = X sqrt(X^2 - 1) - arcosh X,  X = x/b.
 // The fraction of the flooded resistance depends on m and H = 2 R_x h_c/b^2. For the shortest inlet
@@ -47,13 +47,14 @@ inline double inlet_share(double m, double H)
   return (m < far ? detail::inlet_integral(m, H) : all) / all;
 }
 
-// Approximation of the fraction that contacts use: ln((1 - share)/share) is interpolated in ln H
-// between five Chebyshev points. The result is accurate to 0.007 for H from 0.001 to 20 and is
-// limited to at least 1/2.
+// The approximation of the fraction that is used in contacts. It interpolates ln((1 - share)/share)
+// as a function of ln H between five Chebyshev points. The result is accurate to 0.007 for H from
+// 0.001 to 20 and is limited to at least 1/2.
 struct RollingInlet {
   static constexpr int nodes = 5;
   static constexpr double low = -6.9, high = 3.0;    // range of ln H
-  double node[nodes] = {}, slope[nodes] = {};        // Newton form of the polynomial
+  double node[nodes] = {}, slope[nodes] = {};        // nodes and coefficients of the polynomial in
+                                                     // Newton form
   bool short_inlet = false;
 
   // length: inlet length in units of the semi-axis b; 0: flooded, 1: shortest inlet

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Couples due to rolling resistance (docs/tribology, Rolling resistance).
 //
-// Hydrodynamic: the film inlet resists with the force f and consumes the power 2 f u (Biboulet and
-// Houpert 2010, part 2, eq 32; here in powers of u and Q after Balan et al. 2015, accurate to 0.6
-// %):
+// Hydrodynamic: the film inlet exerts a resisting force f and dissipates the power 2 f u (Biboulet
+// and Houpert 2010, part 2, eq 32; here in powers of u and Q after Balan et al. 2015, accurate to
+// 0.6 %):
 //   f/(E' R_x^2) = (I - E)/(1 + M/6.6) + E,  r = R_y/R_x,  U = eta u/(E' R_x),  W = Q/(E' R_x^2),
 //   I = 2.9766 r^0.3316 W^(1/3) U^(2/3),  E = 7.5826 r^0.4055 W^(1/3) U^(3/4),
 //   M = 0.5549 r^-0.6029 W U^(-3/4).
 // Inlet shear heats the oil (murch_wilson in film_factors.h).
 //
-// Hysteresis of the steel: a couple alpha Q 2b/(3 pi) (Johnson 1985, section 9.4).
+// Hysteresis of the steel causes a couple alpha Q 2b/(3 pi) (Johnson 1985, section 9.4).
 #ifndef RACEWAY_ROLLING_RESISTANCE_H
 #define RACEWAY_ROLLING_RESISTANCE_H
 
@@ -43,7 +43,8 @@ RACEWAY_INLINE RollingShapeT<T> rolling_shape(const RollingConstants &k, const T
           (0.5549 / 6.6) * exponential(T(-0.6029 * r - unit - 0.75 * u))};
 }
 
-// Returns the force f, N. ln_u: logarithm of u (m/s); root: cube root of Q, N^(1/3).
+// Returns the force f, N. ln_u is the logarithm of u (m/s), and `root` is the cube root of Q,
+// N^(1/3).
 template <class T>
 RACEWAY_INLINE T rolling_force(const RollingShapeT<T> &k, const T &ln_u, const T &load,
                                const T &root)

@@ -5,12 +5,13 @@
 // At the point (x, z), with x along rolling and z across it, both divided by a, the sliding
 // velocity of the ball on the ring is
 //   v_t = s_t - q z - e z^2,  v_w = s_w + q x,
-// with q = omega_n a due to spin and e = Omega a^2/(2 R_d) due to differential slip, m/s. The
-// stress is mu p along v. A slice carries the load of the Hertz pressure on it, half at each of the
-// two Gauss points of its chord. Within a slice v is assumed to be linear, with the mean direction
+// where q = omega_n a is due to spin and e = Omega a^2/(2 R_d) to differential slip, both in m/s.
+// The stress is mu p along v. A slice carries the load that results from the Hertz pressure on it,
+// half of it at each of the two Gauss points of its chord. Within a slice, v is assumed to vary
+// linearly, and its mean direction is
 //   mean(v/|v|) = 2 mean(v)/(|v| at one end + |v| at the other),
-// which is exact if the direction of v is constant. Forces are therefore continuous where the
-// sliding direction of a point reverses. All sums use the same weight for each point, so the
+// which is exact if the direction of v is constant. Forces therefore remain continuous when the
+// sliding direction at a point reverses. All sums use the same weight for each point, so the
 // dissipated power is positive for any motion.
 #ifndef RACEWAY_SLIP_SLICES_H
 #define RACEWAY_SLIP_SLICES_H
@@ -21,17 +22,17 @@
 
 namespace raceway {
 
-// Motions at the centre of the ellipse, and the speed below which friction is proportional to
-// sliding, m/s.
+// Velocities at the centre of the ellipse, and the speed below which friction is proportional to
+// the sliding speed, m/s.
 template <class T> struct SlipMotionT {
   T along, across, spin, edge;    // s_t, s_w, q, e
   T aspect;                       // b/a
   T least;
 };
-// Forces divided by mu Q and the moment divided by mu Q a, each opposing its motion; `couple`,
-// divided by mu Q, is conjugate to e. The slopes (s/m) are for implicit steps. The slopes of the
-// forces are tangents that are blended into secants the more the contact slides as a whole; those
-// of moment and couple are secants, which are positive.
+// Forces divided by mu Q and the moment divided by mu Q a; each of them opposes its motion.
+// `couple`, divided by mu Q, is conjugate to e. The slopes (s/m) are used in implicit steps. The
+// slopes of the forces are tangents that are blended into secants the more the contact slides as a
+// whole; those of moment and couple are secants, which are positive.
 template <class T> struct SlipForcesT {
   T along, across, moment, couple;
   T slope_along, slope_across, slope_moment, slope_couple;
@@ -40,7 +41,7 @@ template <class T> struct SlipForcesT {
 class SlipSlices {
  public:
   // The slices are evaluated in lanes, in a function that is compiled once rather than inlined into
-  // every law. Slopes are 0 unless requested.
+  // every law. The slopes are 0 unless they are requested.
   template <bool slopes>
   __attribute__((noinline)) static SlipForcesT<double> forces(const SlipMotionT<double> &m)
   {
@@ -116,9 +117,9 @@ class SlipSlices {
  private:
   static constexpr int slices = 24, borders = slices + lanes;    // three borders are unused
 
-  // Values at the borders of the slices: z; z^2, corrected so that the mean of both ends of a slice
-  // is the mean within the slice; position of the Gauss point on the chord, divided by b. Values
-  // for each slice: the load.
+  // Values at the borders of the slices: z; z^2, corrected so that the average of its values at
+  // both ends of a slice is the mean within the slice; and the position of the Gauss point on the
+  // chord, divided by b. The only value for each slice is the load.
   struct Table {
     double z[borders], z2[borders], chord[borders], load[slices];
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Couple that opposes spin about the contact normal (docs/tribology, Spin): (3/8) mu Q a E for pure
-// spin under Coulomb's law, with the complete elliptic integral E of the ellipse.
+// spin under Coulomb's law, where E is the complete elliptic integral for the ellipse.
 //
 // If the contact also slides, the couple at small spin is proportional to the spin. Integration
 // over the ellipse by Gauss points (tests/references/spin.py) gives the width of this range: omega
@@ -14,8 +14,8 @@
 
 namespace raceway {
 
-// Returns the couple of pure spin (N m) from mu Q and the Hertz constants. If K, a and b are known,
-// E need not be evaluated:
+// Returns the couple of pure spin (N m) from mu Q and the Hertz constants. Since K, a and b are
+// known, E does not have to be evaluated:
 //   (3/8) mu Q a E = mu Q sqrt(delta) pi E' a^2 b^2 (1/R_x + 1/R_y)/(16 K),
 // with a and b divided by sqrt(delta).
 template <class T>
@@ -29,12 +29,12 @@ RACEWAY_INLINE T spin_couple(const T &limit, double modulus, const T &root, cons
 // Returns the couple of pure spin (N m) from a known E.
 inline double pure_spin_couple(double limit, double a, double E) { return 0.375 * limit * a * E; }
 
-// Fitted constants: omega a divided by s_e and by s up to which the couple grows, and the
-// coefficient in the reduction of the differential-slip couple
+// Fitted constants: the values of omega a/s_e and of omega a/s up to which the couple increases,
+// and the coefficient in the reduction of the differential-slip couple
 constexpr double spin_width = 0.78, spin_loss = 1.35, spin_slide = 1.9;
 
-// Returns a speed (m/s) from omega a, the width s_e and the sliding speed. The spin couple is the
-// couple of pure spin multiplied by omega a and divided by this speed.
+// Returns a speed (m/s) from omega a, the width s_e and the sliding speed. The spin couple is that
+// of pure spin times omega a divided by this speed.
 template <class T> RACEWAY_INLINE T spin_growth(const T &speed, const T &width, const T &slide)
 {
   const T slip = spin_slide * slide, wide = spin_width * width;

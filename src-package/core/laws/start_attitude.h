@@ -2,12 +2,13 @@
 // Rotation of a ball that rolls on both raceways with the smallest total loss due to spin
 // (docs/tribology, Start of the balls).
 //
-// In the plane of the bearing's axis (e) and the ball's radial direction (u), contact k has the
-// normal n_k from ball to raceway. Rolling on both raceways leaves one free speed x; the orbit, the
-// rotation and both spins omega_k are linear in x. The spin moments M_k(omega_k) grow up to a width
-// and are constant beyond it. They balance where the sum of M_k d omega_k/dx vanishes. With zero
-// width this is the motion of least loss, in which one raceway controls the ball; otherwise both
-// raceways share the spin. The sum increases with x, so the root is unique. It lies between the
+// In the plane spanned by the bearing's axis (e) and the ball's radial direction (u), contact k has
+// the normal n_k from ball to raceway. If the ball rolls on both raceways, one speed x remains
+// free, and the orbital speed, the rotation and both spins omega_k are linear in x. The spin
+// moments M_k(omega_k) increase with spin up to a certain width and are constant beyond it. They
+// are in equilibrium where the sum of M_k d omega_k/dx vanishes. If the width is zero, this is the
+// motion with the smallest loss, in which one raceway controls the ball; otherwise the spin is
+// shared by both raceways. The sum increases with x, so the root is unique. It lies between the
 // motion without spin at one raceway and the motion without spin at the other.
 #ifndef RACEWAY_START_ATTITUDE_H
 #define RACEWAY_START_ATTITUDE_H
@@ -22,7 +23,8 @@ namespace raceway {
 struct SpinContact {
   double angle = 0.0;     // rad, below pi/2 in magnitude
   double speed = 0.0;     // rad/s, of the ring
-  double couple = 1.0;    // couple of pure spin, in N m or any unit common to both contacts
+  double couple = 1.0;    // couple of pure spin, in N m or in any unit as long as it is the same
+                          // for both contacts
   double width = 0.0;     // rad/s, spin up to which the couple increases
 
   double moment(double spin) const
@@ -33,9 +35,11 @@ struct SpinContact {
 };
 
 struct BallRotation {
-  double orbit = 0.0;                  // rad/s, ball centres (and cage) about the bearing axis
+  double orbit = 0.0;                  // rad/s, of the ball centres (and cage) about the bearing
+                                       // axis
   double radial = 0.0, axial = 0.0;    // rad/s, inertial frame
-  double spin[2] = {};                 // rad/s, ball relative to ring, about the contact normal
+  double spin[2] = {};                 // rad/s, of the ball relative to the ring, about the contact
+                                       // normal
 
   BallRotation operator-(const BallRotation &o) const
   {
@@ -72,7 +76,7 @@ inline BallRotation start_attitude(const SpinContact &inner, const SpinContact &
 {
   const BallRotation none = rolling_on_both(inner, outer, R, r, 0.0),
                      turn = rolling_on_both(inner, outer, R, r, 1.0) - none;
-  double ends[2];    // motions without spin at one of the raceways
+  double ends[2];    // values of x for motion without spin at one of the raceways
   for (int k = 0; k < 2; ++k) ends[k] = -none.spin[k] / turn.spin[k];
   double low = std::min(ends[0], ends[1]), high = std::max(ends[0], ends[1]);
   for (int k = 0; k < 200; ++k) {

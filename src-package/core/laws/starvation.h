@@ -10,7 +10,8 @@ namespace raceway {
 
 constexpr double deep_slender = 3.1, angular_slender = 4.4;    // K_Z; single-row angular contact
 
-// Bore and outside diameter are in mm, the kinematic viscosity in mm^2/s and the speed in rpm.
+// The bore and the outside diameter are in mm, the kinematic viscosity is in mm^2/s, and the speed
+// is in rpm.
 inline double skf_starvation(double bore, double outside, double kinematic, double speed,
                              double replenishment = 3.0e-8, double slender = deep_slender)
 {

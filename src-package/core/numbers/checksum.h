@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Checksum of files, computed in four lanes of 64-bit words. Each step is a bijection of its lane,
-// so damage to one word always changes the state. The cost is a tenth of that of a table-driven
+// so damage to one word always changes the state. It takes a tenth of the time of a table-driven
 // CRC-32.
 #ifndef BEARING_CHECKSUM_H
 #define BEARING_CHECKSUM_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The cubic Hermite polynomial through positions and velocities at two instants h seconds apart,
-// evaluated at the fraction s of the interval. Its error is at most h^4/384 times the fourth
+// The cubic Hermite polynomial that matches positions and velocities at two instants h seconds
+// apart, evaluated at the fraction s of the interval. Its error is at most h^4/384 times the fourth
 // derivative of the position.
 #ifndef RACEWAY_CUBIC_H
 #define RACEWAY_CUBIC_H

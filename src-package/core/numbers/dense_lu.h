@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Dense LU decomposition with row pivoting for a few unknowns, factored once and used for many
-// right-hand sides.
+// Dense LU decomposition with row pivoting for a small number of unknowns. A matrix is factored
+// once and used for many right-hand sides.
 #ifndef RACEWAY_DENSE_LU_H
 #define RACEWAY_DENSE_LU_H
 

@@ -3,10 +3,10 @@
 // derivative.
 //
 // Dual<B, n> is a value of type B (double or Lane) with n partial derivatives (forward mode;
-// Griewank and Walther, Evaluating Derivatives, 2008, ch. 3). The value is computed with the same
-// operations as for the plain type, so it is bitwise identical. held(x) is the value alone, without
-// derivatives; a law uses it for all quantities that its derivatives treat as constant. For a plain
-// number, held(x) is x.
+// Griewank and Walther, Evaluating Derivatives, 2008, ch. 3). The value is computed by the same
+// operations as for the plain type, so it is bitwise identical to the plain result. held(x) is the
+// value alone, without derivatives; a law uses it for all quantities that its derivatives treat as
+// constant. For a plain number, held(x) is x.
 #ifndef RACEWAY_DUAL_H
 #define RACEWAY_DUAL_H
 

@@ -7,17 +7,17 @@
 // on all processors and in all lanes.
 //
 // Exponential: x = k ln 2 + r, |r| <= ln(2)/2; e^r is computed by the Taylor series to r^13
-// (remainder below 5e-18). The result is 0 below x = -708, where results would lose precision, and
-// infinite above x = 709.
+// (remainder below 5e-18). The result is 0 for x < -708, where it would lose precision, and
+// infinite for x > 709.
 //
 // Logarithm: x = 2^k m, sqrt(1/2) <= m < sqrt(2); ln m = 2 artanh f, f = (m - 1)/(m + 1),
 // |f| < 0.1716, by the series to f^21 (remainder below 2e-18). It is minus infinity for x below the
 // smallest normal number and undefined for x < 0 or infinite x.
 //
-// The rough versions provide starting values for an iteration: the logarithm is accurate to 3e-4
-// and the exponential to 2 % for -1 <= x <= 0; below -1 the exponential keeps its value at -1.
+// The rough versions provide starting values for an iteration: the logarithm is accurate to 3e-4,
+// and the exponential to 2 % for -1 <= x <= 0. Below -1 the exponential keeps its value at -1.
 //
-// All functions return NaN for NaN.
+// All functions return NaN if the argument is NaN.
 #ifndef RACEWAY_EXP_LOG_H
 #define RACEWAY_EXP_LOG_H
 
@@ -48,7 +48,7 @@ RACEWAY_INLINE Lane number(const LaneBits &i) { return (Lane)i; }
 
 constexpr double ln2_high = 0x1.62e42fefap-1,
                  ln2_low = 0x1.cf79abc9e3b398p-40;    // the high part times k < 2^14 is exact
-constexpr double whole = 0x1.8p52;    // adding it puts the integer part into the last bits
+constexpr double whole = 0x1.8p52;    // adding it moves the integer part into the last bits
 }    // namespace detail
 
 template <class T> RACEWAY_INLINE T exponential(const T &x)
@@ -56,7 +56,7 @@ template <class T> RACEWAY_INLINE T exponential(const T &x)
   using namespace detail;
   const T shifted = x * 1.4426950408889634 + whole, k = shifted - whole;
   const T r = (x - k * ln2_high) - k * ln2_low, r2 = r * r, r4 = r2 * r2;
-  // in groups of four, which shortens the chain of dependent sums
+  // the terms are added in groups of four, which shortens the chain of dependent sums
   const T low = (1.0 / 6 + r * (1.0 / 24)) + r2 * (1.0 / 120 + r * (1.0 / 720));
   const T middle = (1.0 / 5040 + r * (1.0 / 40320)) + r2 * (1.0 / 362880 + r * (1.0 / 3628800));
   const T high = 1.0 / 39916800 + r * (1.0 / 479001600) + r2 * (1.0 / 6227020800);
@@ -69,8 +69,8 @@ template <class T> RACEWAY_INLINE T exponential(const T &x)
 template <class T> RACEWAY_INLINE T logarithm(const T &x)
 {
   using namespace detail;
-  // exponent of x/sqrt(1/2), rounded down; it is converted to a number in the same way as with
-  // `whole`, by placing it with an offset in the last bits of a large number
+  // exponent of x/sqrt(1/2), rounded down; as with `whole`, it is converted to a number by placing
+  // it, with an offset, in the last bits of a large number
   const auto above = bits(x) - 0x3fe6a09e667f3bcdULL + (2048ULL << 52);
   const auto exponent = above >> 52;
   const T k = number(exponent | 0x4330000000000000ULL) - (0x1p52 + 2048.0);
@@ -83,7 +83,7 @@ template <class T> RACEWAY_INLINE T logarithm(const T &x)
   return where(x < 0x1p-1022, -HUGE_VAL, where(x == x, y, x));
 }
 
-// Uses the bits of x, like logarithm(); the polynomial in m - 1 is exact at m = 1.
+// Uses the bits of x in the same way as logarithm(). The polynomial in m - 1 is exact at m = 1.
 template <class T> RACEWAY_INLINE T rough_logarithm(const T &x)
 {
   using namespace detail;

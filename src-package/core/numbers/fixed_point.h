@@ -2,14 +2,14 @@
 // Anderson acceleration for the fixed point x = g(x) of a map that is expensive to evaluate.
 //
 // D. G. Anderson, J. ACM 12 (1965) 547; type II as in H. F. Walker and P. Ni, SIAM J. Numer. Anal.
-// 49 (2011) 1715. With the residuals f = g(x) - x at the most recent starts, the next start is
+// 49 (2011) 1715. If f = g(x) - x are the residuals at the most recent starts, the next start is
 //   g_k - sum_j c_j (g_j+1 - g_j),   c: least squares of f_k - sum_j c_j (f_j+1 - f_j),
-// which is equivalent to GMRES for an affine map: each slowly decaying mode costs one more
-// evaluation of the map. Residuals and moves are measured in the weighted norm sqrt(sum (w_i
-// y_i)^2). A difference of residuals that is a combination of later differences, up to a fraction
-// `apart`, is noise and is omitted. A difference below `flat` times the residual is omitted as
-// well: if residuals hardly depend on the start, the next start is placed further along the
-// residuals.
+// which is equivalent to GMRES for an affine map: each slowly decaying mode requires one more
+// evaluation of the map. Residuals and displacements are measured in the weighted norm sqrt(sum
+// (w_i y_i)^2). A difference between residuals that is a linear combination of later differences,
+// except for a fraction `apart`, is regarded as noise and omitted. A difference below `flat` times
+// the residual is omitted as well: if residuals hardly depend on the start, the next start is
+// placed further along the residuals.
 #ifndef RACEWAY_FIXED_POINT_H
 #define RACEWAY_FIXED_POINT_H
 
@@ -25,8 +25,8 @@ class FixedPoint {
   using Vector = std::vector<double>;
   struct Settings {
     size_t memory = 5;      // number of starts that are stored
-    double reach = 0.1;     // longest move from g_k, in the norm
-    double apart = 1e-2;    // smallest independent fraction of a difference
+    double reach = 0.1;     // largest displacement from g_k, in the norm
+    double apart = 1e-2;    // smallest linearly independent fraction of a difference
     double flat = 0.02;     // smallest difference relative to the residual
   };
   struct Next {
@@ -59,7 +59,7 @@ class FixedPoint {
   }
 
   // Returns the component of the last residual along the previous one, as a fraction of the
-  // previous one; 0 if there is only one start.
+  // previous one, or 0 if there is only one start.
   double contraction() const
   {
     if (x_.size() < 2) return 0.0;
@@ -98,7 +98,7 @@ class FixedPoint {
     }
     for (size_t b = 0; b < basis.size(); ++b) subtract(move, dot(basis[b], f), images[b]);
     if (basis.empty() && last > 0) {
-      // sum of all further residuals if they keep decreasing by that factor
+      // sum of all further residuals if each is smaller than the previous one by that factor
       const double share = contraction(), sum = share < 1.0 ? share / (1.0 - share) : HUGE_VAL;
       subtract(move, -std::min(sum, 2.0 * set_.reach / to.residual), f);
       to.distance = to.residual * (1.0 + sum);

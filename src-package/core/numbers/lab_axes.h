@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Converts between lab axes (x, y, z) and axes of which the third is the bearing axis. The
-// permutation is cyclic, so right-handed axes stay right-handed and no value changes.
+// Converts between the axes of the lab frame (x, y, z) and axes of which the third is the bearing
+// axis. The permutation is cyclic, so right-handed axes remain right-handed and no values change.
 #ifndef RACEWAY_LAB_AXES_H
 #define RACEWAY_LAB_AXES_H
 
@@ -9,9 +9,10 @@
 namespace raceway {
 
 struct LabAxes {
-  int along = 2;    // lab axis of the bearing: 0 x, 1 y, 2 z
+  int along = 2;    // axis of the lab frame along which the bearing lies: 0 x, 1 y, 2 z
 
-  // Returns the lab axis of component k for axes whose third axis is the bearing axis.
+  // Returns the axis of the lab frame that corresponds to component k in axes whose third axis is
+  // the bearing axis.
   int lab_axis(int k) const { return (along + 1 + k) % 3; }
   Vec3 third(const Vec3 &lab) const
   {

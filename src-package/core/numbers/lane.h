@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Four numbers, one for each of four balls; formulas accept a Lane instead of a double.
+// A Lane contains four numbers, one for each of four balls. Formulas accept a Lane instead of a
+// double.
 //
-// A Lane is the compiler's own vector type, with + - * / and comparisons; the missing functions are
-// defined here for both double and Lane. Nothing is reordered, fused or approximated: on every
-// instruction set, lane k of a result is bitwise identical to the same operation on doubles.
+// A Lane is a vector type provided by the compiler, with + - * / and comparisons. The other
+// functions are defined here for both double and Lane. Nothing is reordered, fused or approximated:
+// on every instruction set, lane k of a result is bitwise identical to the same operation on
+// doubles.
 #ifndef RACEWAY_LANE_H
 #define RACEWAY_LANE_H
 
@@ -21,16 +23,16 @@
 
 // A function with a Lane argument must be compiled for the instruction set of its caller, so it is
 // always inlined. A function that calls such functions is compiled for several instruction sets;
-// the best one is chosen at run time. There is no fused multiply-add, so all of them give bitwise
+// the best one is chosen at run time. None of them uses fused multiply-add, so all give bitwise
 // identical results.
 //
 // Functions that contain contact laws are large, and the version for processors without AVX2 takes
 // three quarters of the compile time. They are therefore compiled for AVX2 only (RACEWAY_WIDE), and
 // once more in a file for a single target; instruction_set.h selects the version to call.
 //
-// For a single target all of them are plain functions, which compile several times faster. A single
-// target is used with sanitizers, which do not support the selection at run time, and when speed
-// does not matter (RACEWAY_ONE_TARGET).
+// If there is only a single target, all of them are plain functions, which compile several times
+// faster. A single target is used with sanitizers, which do not support the selection at run time,
+// and when speed does not matter (RACEWAY_ONE_TARGET).
 #if defined(__SANITIZE_ADDRESS__) || defined(RACEWAY_ONE_TARGET)
 #define RACEWAY_INLINE inline
 #else

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Small dense systems, solved four at a time: LU decomposition without pivoting, and substitution.
-// The stride of the rows is 6. Precondition: the symmetric part of each matrix is positive definite
-// (mass + h C + h^2 k), so no pivot can vanish.
+// Solves small dense systems, four at a time, by LU decomposition without pivoting and by
+// substitution. The row stride is 6. Precondition: the symmetric part of each matrix is positive
+// definite (mass + h C + h^2 k), so no pivot can vanish.
 #ifndef RACEWAY_LANE_BLOCKS_H
 #define RACEWAY_LANE_BLOCKS_H
 
@@ -9,7 +9,7 @@
 
 namespace raceway {
 
-// Factors in place; the diagonal of U is stored as its reciprocal.
+// Factors the matrix in place. The reciprocals of the diagonal elements of U are stored.
 template <int n> RACEWAY_INLINE void factor(Lane *a)
 {
   for (int k = 0; k < n; ++k) {

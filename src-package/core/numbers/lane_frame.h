@@ -2,11 +2,11 @@
 // Four bodies on orbits about an axis, each in the frame that rotates with it: radius r, azimuth,
 // height, and velocities along the radial, circumferential and axial directions of that frame.
 //
-// In a step h a body drifts by r += h v_r, azimuth += h v_c/r (with the new r), z += h v_z with
-// constant velocity components. The drift is exact on a circular path, whereas a straight line
-// would leave the path by h^2 v^2/(2r). Components in a rotating frame require the acceleration due
-// to the frame. With w = v_c/r this is -w z x v for a vector v, i.e. +w v_c along the radius and -w
-// v_r along the circle; the same applies to the spin.
+// In a step of length h, a body with constant velocity components drifts by r += h v_r, azimuth +=
+// h v_c/r (with the new r), z += h v_z. The drift is exact on a circular path, whereas a straight
+// line would leave the path by h^2 v^2/(2r). Components in a rotating frame change because the
+// frame rotates. With w = v_c/r this acceleration is -w z x v for a vector v, i.e. +w v_c along the
+// radius and -w v_r along the circle; the same applies to the spin.
 #ifndef RACEWAY_LANE_FRAME_H
 #define RACEWAY_LANE_FRAME_H
 
@@ -16,9 +16,9 @@ namespace raceway {
 
 using Vec3L = Vec3T<Lane>;
 
-// Cosine and sine are computed by Taylor series to x^16, with an error below 1e-18 up to 0.6 rad,
-// the limit for a stage, and of 5e-15 at 1.2 rad, the limit for a whole step with two stages or
-// drifts.
+// Cosine and sine are computed by Taylor series to x^16, with an error that is below 1e-18 up to
+// 0.6 rad, the limit for a stage, and 5e-15 at 1.2 rad, the limit for a whole step with two stages
+// or drifts.
 constexpr double largest_turn = 0.6;
 RACEWAY_INLINE void small_turn(const Lane &x, Lane &cosine, Lane &sine)
 {
@@ -41,7 +41,8 @@ struct LaneFrame {
   Lane r = {}, z = {};    // m
   Lane c = {}, s = {};    // cosine and sine of the azimuth
 
-  // Convert a vector between lab axes (bearing axis along z) and (radial, circumferential, axial).
+  // Convert a vector between the lab frame (bearing axis along z) and (radial, circumferential,
+  // axial) components.
   RACEWAY_INLINE Vec3L local(const Vec3L &v) const
   {
     return {v.x * c + v.y * s, v.y * c - v.x * s, v.z};
@@ -65,8 +66,8 @@ struct LaneFrame {
     s[i] = x.y / r[i];
   }
 
-  // Returns the frame after the time h at the local velocity v; `turn` is the rotation (rad), which
-  // is accurate up to largest_turn.
+  // Returns the frame after it has moved at the local velocity v for the time h. `turn` is set to
+  // the rotation (rad), which is accurate up to largest_turn.
   RACEWAY_INLINE LaneFrame drifted(const Vec3L &v, double h, Lane &turn) const
   {
     LaneFrame f;

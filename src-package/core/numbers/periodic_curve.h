@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A smooth curve through values at equally spaced angles over one revolution: piecewise cubic with
-// the slopes of Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984). It does not overshoot, so
-// a step in a table remains a step, whereas a spline would oscillate.
+// A smooth curve through values at equally spaced angles over one revolution. It is piecewise cubic
+// and uses the slopes of Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984). The curve does
+// not overshoot, so a step in a table remains a step, whereas a spline would oscillate.
 #ifndef RACEWAY_PERIODIC_CURVE_H
 #define RACEWAY_PERIODIC_CURVE_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A rotation from the axes of a body to the axes of the observer, as a unit quaternion.
+// A rotation from the body axes to the observer's axes, represented by a unit quaternion.
 #ifndef RACEWAY_QUATERNION_H
 #define RACEWAY_QUATERNION_H
 

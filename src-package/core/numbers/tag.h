@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Atom ID with the integer type of the host but independent of the host's headers; compat_*.h check
-// that both types have the same size.
+// Integer type for atom IDs. It is the same type as in the host, but does not depend on the host's
+// headers; compat_*.h check that the two types have the same size.
 #ifndef BEARING_TAG_H
 #define BEARING_TAG_H
 

@@ -6,7 +6,7 @@
 //   slot         parts with the same slot exclude each other; "" for none
 //   needs_film   true if the part requires a film
 //   needs        name of another required part; "" for none
-//   Parameters   its own numbers with their defaults; has a function prepare(raceway) if some of
+//   Parameters   its parameters with their defaults; has a function prepare(raceway) if some of
 //                them are computed, and reach(raceway) if the gap (m) at which its contacts begin
 //                is not 0
 //   keywords()   the keywords that set its Parameters, with unit and range (Keyword below)
@@ -37,8 +37,8 @@ namespace raceway {
 
 enum class When { always, with_film, asked };
 
-// One value of a keyword: a number in the raceway or in the part's own Parameters, or one of
-// several words. `unset` describes a default that is not a number.
+// One value of a keyword. It is a number that is stored in the raceway or in the part's Parameters,
+// or one of several words. `unset` describes a default that is not a number.
 template <class Own> struct Parameter {
   using Number = double &(*)(Raceway &, Own &);
   using Choose = void (*)(Raceway &, Own &, int);
@@ -47,7 +47,7 @@ template <class Own> struct Parameter {
   const char *meaning;    // meaning with the unit, for messages and tables
   double least, most;
   bool open;              // `least` itself is not allowed
-  const char *choices;    // "a|b|c", of which the first is the default; or null
+  const char *choices;    // "a|b|c", where the first is the default, or null
   Number number;
   Choose choose;
   const char *unset;
@@ -80,7 +80,8 @@ template <class Own> struct Keyword {
   const char *name, *form;
   bool chooses;
   std::vector<Parameter<Own>> parameters;
-  const char *(*wrong)(const double *values) = nullptr;    // error in the combination of values
+  const char *(*wrong)(const double *values) = nullptr;    // returns the error in a combination of
+                                                           // values, or null
   const char *note = "";                                   // text for the command's documentation
 };
 
@@ -92,9 +93,10 @@ struct StateColumn {
   bool usual = true;    // included in records by default
 };
 
-// State variables of a contact before and after a time dt; dt = 0 changes nothing. For constant
-// motions over dt, decay at the rate r is exact, e^-(r dt). In a stage of an implicit method the
-// factor is 1/(1 + r dt), as in backward Euler, because the order of the method depends on it.
+// State variables of a contact before and after a time dt; if dt = 0, they do not change. For
+// motions that are constant over dt, decay at the rate r is exact, e^-(r dt). In a stage of an
+// implicit method the factor is 1/(1 + r dt), as in backward Euler, because the order of the method
+// depends on it.
 template <class T> struct LawStates {
   double dt = 0.0;
   const Value<T> *before = nullptr;

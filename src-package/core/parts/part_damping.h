@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Normal damping as in the paper: hysteresis, the film damper, and the sum N = max(0, Q + C rate)
-// (damping.h). Derivatives treat C as constant.
+// Normal damping as in the paper: hysteresis, the film damper, and the resulting normal force N =
+// max(0, Q + C rate) (damping.h). C is treated as constant in derivatives.
 #ifndef RACEWAY_PART_DAMPING_H
 #define RACEWAY_PART_DAMPING_H
 
@@ -84,14 +84,16 @@ struct FilmDamperPart : PartBase {
   }
 };
 
-// Column for all normal damping: by the steel, and by the film through its damper or branch.
+// Column for all normal damping, i.e. damping by the steel, and by the film through either its
+// damper or its branch.
 struct DampingPower {
   static constexpr LossColumn column = {"damping_power", "film",
                                         "power dissipated by normal damping", true};
 };
 
 struct NormalForceLoss : DampingPower {
-  // Energy stored in the film's branch is not dissipated; the branch has a loss of its own.
+  // The energy stored in the film's branch is not dissipated here, because the branch has a
+  // separate loss.
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
     return (held(c.normal) - held(c.load) - c.film_force) * held(c.overlap_rate);

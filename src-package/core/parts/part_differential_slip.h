@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Differential slip along rolling, and across rolling Coulomb's law with the slope of free rolling,
-// each in series with the contact's tangential spring k_t (Mindlin):
+// Along rolling, this part applies differential slip; across rolling, it applies Coulomb's law with
+// the slope in free rolling. Each acts in series with the contact's tangential spring k_t
+// (Mindlin):
 //   f' = k_t (s - f/c),  f <- f e^(-dt/tau) + c s (1 - e^(-dt/tau)),  tau = c/k_t,
-// with s the slip relative to free rolling and c the secant of the slip law. The law acts as a slip
-// law for dt >> tau, as a spring for dt << tau, and sticks at rest. |f| stays below mu N. The
-// states are the forces in the frame that turns with the ball's azimuth. In explicit steps only the
-// spring acts, so both integrators support this law.
+// where s is the slip relative to free rolling and c is the secant of the slip law. The law acts as
+// a slip law for dt >> tau, as a spring for dt << tau, and sticks at rest. |f| stays below mu N.
+// The states are the forces in the frame that rotates with the ball's azimuth. In explicit steps
+// only the spring acts, so both integrators support this law.
 //
-// Derivatives treat mu, k_t, the ellipse and the shape of the secant as constant, but not N.
+// In derivatives, mu, k_t, the ellipse and the shape of the secant are treated as constant, but N
+// is not.
 #ifndef RACEWAY_PART_DIFFERENTIAL_SLIP_H
 #define RACEWAY_PART_DIFFERENTIAL_SLIP_H
 
@@ -50,7 +52,7 @@ struct DifferentialSlipPart : PartBase {
     // secants for sliding in both directions, which share the same friction limit
     const B alone = slip_secant(off_t), cross = alone * off_w;
     const B sharing = square_root(B(1.0 + cross * cross));
-    // m/s, mu N divided by the secants, needed before mu N is known
+    // mu N divided by the secants, m/s, which is needed before mu N is known
     const B speed_t = width * sharing / alone;
     const B speed_w =
         width * square_root(B(off_t * off_t + off_w * off_w + 1.0 / (free_lean * free_lean)));
@@ -78,7 +80,7 @@ struct DifferentialSlipPart : PartBase {
     m.after[1] = c.friction_w;
 
     // The couple depends on the slip after the spring and is computed from the force. If it were
-    // computed from f/c, with c at the present sliding speed, oscillations of the spring would grow
+    // computed from f/c, with c at the current sliding speed, oscillations of the spring would grow
     // in explicit steps.
     const B used = held(c.friction_t) * sharing * forward / (most + none);
     const B against = -slip_couple(force_root(used)) * most * curve * curve / width;    // N m s

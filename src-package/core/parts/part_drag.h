@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Oil drag on the balls (ball_drag.h), which depends on their speed relative to the outer ring; the
-// outer ring takes the reaction. A ball that does not touch the outer raceway has no drag; in a
-// Gothic arch the groove with the larger overlap carries the drag. Derivatives treat the force as
-// constant, because it changes the speed of a ball by at most a fraction of 1e-3 in an implicit
-// step.
+// Oil drag on the balls (ball_drag.h), which depends on their speed relative to the outer ring. The
+// reaction acts on the outer ring. A ball that does not touch the outer raceway has no drag; in a
+// Gothic arch, the drag is assigned to the groove with the larger overlap. In derivatives, the drag
+// force is treated as constant, because it changes the speed of a ball by at most a fraction of
+// 1e-3 in an implicit step.
 #ifndef RACEWAY_PART_DRAG_H
 #define RACEWAY_PART_DRAG_H
 
@@ -25,7 +25,8 @@ struct DragPart : PartBase {
   static constexpr bool needs_film = true, couples = true;
   using Losses = LossList<DragLoss>;
   struct Parameters {
-    double density = 870.0, share = 0.0;       // kg/m^3; volume fraction of oil in the bearing
+    double density = 870.0, share = 0.0;       // density of the oil, kg/m^3; volume fraction of oil
+                                               // in the bearing
     double reynolds = 0.0, prefactor = 0.0;    // computed by prepare(): s/m, N s^2/m^2
     DragTable table;
     void prepare(const Raceway &p)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Film thickness and lambda ratio at the present load and entrainment speed (film.h), multiplied by
-// the factors in film_factors.h. Derivatives treat thickness, ratio and factors as constant, which
-// affects the convergence of the Newton iteration but not its result.
+// Computes the film thickness and the lambda ratio at the current load and entrainment speed
+// (film.h); the thickness is multiplied by the factors in film_factors.h. In derivatives,
+// thickness, ratio and factors are treated as constant, which affects the convergence of the Newton
+// iteration but not its result.
 #ifndef RACEWAY_PART_FILM_H
 #define RACEWAY_PART_FILM_H
 
@@ -10,8 +11,8 @@
 
 namespace raceway {
 
-// Returns the central thickness for the act() of a later part; with the film in the gap it has
-// already been computed.
+// Returns the central film thickness, for use in the act() of a later part. If the film is in the
+// gap, it has already been computed.
 template <class T>
 RACEWAY_INLINE Value<T> held_central_film(const Raceway &p, const RacewayConstantsT<Value<T>> &k,
                                           const ContactStateT<T> &c)
@@ -122,8 +123,8 @@ struct FilmThicknessPart : PartBase {
                                  ContactStateT<T> &c)
   {
     using B = Value<T>;
-    const bool in_gap = p.reach > 0.0;    // with a film in the gap, part_film_gap.h has already
-                                          // computed these values
+    const bool in_gap = p.reach > 0.0;    // if the film is in the gap, these values have already
+                                          // been computed by part_film_gap.h
     if (!in_gap) {
       const FilmPointT<B> at = film_point(c.entrainment, c.film_load);
       c.ln_speed = at.ln_speed;

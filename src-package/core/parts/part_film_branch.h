@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Film damping by a spring and a dashpot in series (film_branch.h) instead of eq 5. This part acts
-// after the normal force and adds to it. Derivatives treat the force of the branch as constant.
+// after the normal force and adds to it. The force of the branch is treated as constant in
+// derivatives.
 #ifndef RACEWAY_PART_FILM_BRANCH_H
 #define RACEWAY_PART_FILM_BRANCH_H
 
@@ -9,8 +10,8 @@
 
 namespace raceway {
 
-// Power of the branch, f times the rate of overlap, which is negative while the film springs back.
-// k_m changes with the film, so f^2/(2 k_m) is not a potential (at rest k_m becomes 0 while f
+// The power of the branch is f times the rate of overlap. It is negative while the film springs
+// back. k_m changes with the film, so f^2/(2 k_m) is not a potential (at rest k_m becomes 0 while f
 // remains), and the loss in the dashpot alone, f^2/(k_m tau), would not add up to the work done on
 // the branch.
 struct FilmBranchLoss : DampingPower {

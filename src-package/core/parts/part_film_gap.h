@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Elastic contact with the film in the gap (film_gap.h) instead of Hertz contact alone: the load
-// starts at a gap as wide as the film of a lightly loaded contact. The derivative with respect to
-// the overlap is exact at constant entrainment speed.
+// Elastic contact with the film in the gap (film_gap.h), which replaces the plain Hertz contact.
+// The load sets in at a gap that is as wide as the film of a lightly loaded contact. The derivative
+// with respect to the overlap is exact at constant entrainment speed.
 //
 // The film follows either the power law of film.h, with a constant thickness below 1 N, or the law
 // for all regimes (gap_film.h).
@@ -20,7 +20,8 @@ struct FilmInGapPart : PartBase {
   struct Parameters {
     double share = 1.0;
     bool all_regimes = false;
-    double unit_of_cut = std::pow(cut, 2.0 / 3.0);    // compression at the cut relative to 1 N
+    double unit_of_cut = std::pow(cut, 2.0 / 3.0);    // compression at the load `cut` relative to
+                                                      // that at 1 N
     MoesRaceway moes;                                 // computed by prepare()
     void prepare(const Raceway &p)
     {
@@ -28,8 +29,8 @@ struct FilmInGapPart : PartBase {
         moes = {p.model.lubricant, p.material.Eprime(), p.rolling_radius(1.0),
                 p.transverse_radius()};
     }
-    // The reach is wider than any film in a bearing, because the force would jump if a film were
-    // cut off.
+    // The reach is wider than any film in a bearing, because the force would jump if part of a film
+    // were cut off.
     double reach(const Raceway &p) const { return 0.01 * p.groove.ball_radius; }
     double widest(const Raceway &p) const { return share > 0.0 ? p.reach / share : p.reach; }
   };
@@ -85,7 +86,7 @@ struct FilmInGapPart : PartBase {
     }
     return beyond(own, c) <= 0.0;
   }
-  // Returns the overlap beyond the onset of the load, m; call it after misses().
+  // Returns the overlap beyond the onset of the load, m. It must be called after misses().
   template <class T>
   static RACEWAY_INLINE T beyond(const Parameters &own, const ContactStateT<T> &c)
   {
@@ -123,7 +124,8 @@ struct FilmInGapPart : PartBase {
     c.film_energy = thinning_work(own.share, exponent, Q, c.h_c, cut, c.h_edge);
   }
 
-  // Returns the work against the film from the onset of thinning, at constant entrainment speed.
+  // Returns the work done against the film since the onset of thinning, at constant entrainment
+  // speed.
   template <class T>
   static RACEWAY_INLINE Value<T> energy(const Parameters &own, const Raceway &p,
                                         const ContactStateT<T> &c)
@@ -157,8 +159,8 @@ struct FilmInGapPart : PartBase {
             where(wide, c.h_edge, g.thickness), where(wide, 1.0, g.slope)};
   }
 
-  // Returns the energy of squeezing the film: the integral of zeta m h over the load, where m is
-  // the decrease of ln h with ln Q.
+  // Returns the energy required to squeeze the film, i.e. the integral of zeta m h over the load,
+  // where m is the decrease of ln h with ln Q.
   template <bool all, class T>
   static RACEWAY_INLINE Value<T> work(const Parameters &own, const Raceway &p,
                                       const ContactStateT<T> &c)

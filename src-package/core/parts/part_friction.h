@@ -3,8 +3,8 @@
 // tangential law, either a spring with history or Coulomb's law smoothed over a creep speed.
 //
 // The derivative of the smoothed law is the secant f/s: mu, v_0 and the denominator are treated as
-// constant, but not N. For a sliding contact the tangent is nearly flat, so a single correction
-// with the tangent would throw a light ball past zero sliding.
+// constant, but N is not. For a sliding contact the tangent is nearly flat, so a single correction
+// based on the tangent would move a light ball far past zero sliding.
 #ifndef RACEWAY_PART_FRICTION_H
 #define RACEWAY_PART_FRICTION_H
 
@@ -13,7 +13,8 @@
 
 namespace raceway {
 
-// Loss in any tangential law. Energy stored in a spring counts as dissipated until it is returned.
+// Loss in any tangential law. Energy stored in a spring is counted as dissipated until it is
+// released.
 struct FrictionLoss {
   static constexpr LossColumn column = {"friction_power", "slip",
                                         "power dissipated by the tangential force", true};
@@ -35,8 +36,8 @@ struct SpinLoss {
   }
 };
 
-// Columns that all friction coefficients have in common, and columns that all tangential laws have
-// in common.
+// Columns that are common to all laws for the friction coefficient, and columns that are common to
+// all tangential laws.
 inline std::vector<StateColumn> coefficient_columns()
 {
   return {{{"mu", "", "friction coefficient"},
@@ -128,8 +129,8 @@ struct TangentialSpringPart : PartBase {
   using Losses = LossList<FrictionLoss>;
   struct Parameters {
     double ratio = -1.0;    // k_t/k_n set by the keyword; < 0: Mindlin
-    double zeta = 0.3;      // dashpot relative to critical damping of the rolling mode, mass 2/7
-                            // m_b
+    double zeta = 0.3;      // dashpot constant relative to critical damping of the rolling mode,
+                            // whose mass is 2/7 m_b
     double kt_ratio = 0.0, ct_factor = 0.0;    // values in use
     void prepare(const Raceway &p)
     {

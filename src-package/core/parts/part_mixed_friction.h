@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Friction coefficient of a contact whose load is shared by asperities and film (asperities.h). The
-// coefficient of the film is a constant, or follows from the Eyring stress up to a limiting shear
-// stress (film_traction.h), at the sliding speed of free rolling combined with the sliding of the
-// contact. Derivatives treat the friction coefficient as constant.
+// Friction coefficient of a contact whose load is shared by the asperities and the film
+// (asperities.h). The coefficient of the film is either a constant or follows from the Eyring
+// stress up to a limiting shear stress (film_traction.h). The latter is evaluated at the sliding
+// speed that results from free rolling and the sliding of the contact. The friction coefficient is
+// treated as constant in derivatives.
 #ifndef RACEWAY_PART_MIXED_FRICTION_H
 #define RACEWAY_PART_MIXED_FRICTION_H
 

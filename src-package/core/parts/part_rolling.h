@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Couples that resist rolling, equal and opposite on ball and ring (rolling_resistance.h). Near
-// zero speed they are linear in the speed. The derivative is the secant, the couple divided by the
-// speed; it is large at rest, as an implicit step requires.
+// Couples that resist rolling (rolling_resistance.h). They are equal and opposite on ball and ring,
+// and linear in the speed near zero speed. Their derivative is the secant, i.e. the couple divided
+// by the speed. It is large at rest, as is necessary in an implicit step.
 #ifndef RACEWAY_PART_ROLLING_H
 #define RACEWAY_PART_ROLLING_H
 
@@ -12,7 +12,8 @@
 namespace raceway {
 
 namespace detail {
-constexpr double least_rolling = 1e-3;    // m/s, below it the couples are proportional to the speed
+constexpr double least_rolling = 1e-3;    // speed (m/s) below which the couples are proportional to
+                                          // the speed
 
 // Returns the inverse of the angular speed by which a couple is divided, s.
 template <class T> RACEWAY_INLINE T over_rolling(const T &turn, const T &radius)
@@ -40,7 +41,8 @@ struct HydrodynamicRollingPart : PartBase {
     double length = 0.0;    // inlet length in units of the semi-axis b; 0: flooded
     // computed by prepare()
     double ln_heating = 0.0;
-    double of_film = 0.0;    // if not 0: inlet shear relative to the film factor, which includes it
+    double of_film = 0.0;    // if not 0: inlet shear factor relative to the film factor in which it
+                             // is included
     RollingConstants force;
     RollingShapeT<double> radial{};    // at zero contact angle
     RollingInlet inlet;
@@ -103,7 +105,7 @@ struct HydrodynamicRollingPart : PartBase {
   }
 
  private:
-  // Returns the geometry factors; at zero contact angle they are exact, like the constants of a
+  // Returns the geometry factors; at zero contact angle they are exact, as are the constants of a
   // raceway.
   template <class B>
   static RACEWAY_INLINE RollingShapeT<B> shape(const Parameters &own, const Raceway &p,

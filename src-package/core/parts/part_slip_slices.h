@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Combined differential slip, spin and sliding, summed over slices of the contact ellipse
-// (slip_slices.h), in series with the contact's tangential spring k_t (Mindlin). This part replaces
-// the closed-form solutions in part_differential_slip.h and part_spin.h, which treat slip and spin
-// separately.
+// (slip_slices.h), in series with the contact's tangential spring k_t (Mindlin). This part is used
+// instead of the closed-form solutions in part_differential_slip.h and part_spin.h, which treat
+// slip and spin separately.
 //
 // The states are the forces f and the slip y after the spring, relative to free rolling:
 //   y' = (s - y)/tau,  f' = (F(y) + c (s - y) - f)/tau,  tau = c/k_t,
-// with s the slip relative to free rolling and F the sum over the slices. Hence f' = k_t (s - y)
-// plus a relaxation towards F, which is a slip law for dt >> tau and a spring for dt << tau. Except
-// for spin and roll, the slices depend only on y, which does not follow oscillations of the spring;
-// the same applies to the couples. c is close to the slope of F in free rolling and always above
-// half the slope of F; otherwise oscillations would grow.
+// where s is the slip relative to free rolling and F is the sum over the slices. Hence f' = k_t (s
+// - y) plus a relaxation towards F, which is a slip law for dt >> tau and a spring for dt << tau.
+// Except for spin and roll, the slices depend only on y, which does not follow oscillations of the
+// spring; the same applies to the couples. c is close to the slope of F in free rolling and always
+// above half the slope of F; otherwise oscillations would grow.
 //
-// Derivatives treat mu, k_t, c and the ellipse as constant, but not N.
+// In derivatives, mu, k_t, c and the ellipse are treated as constant, but N is not.
 #ifndef RACEWAY_PART_SLIP_SLICES_H
 #define RACEWAY_PART_SLIP_SLICES_H
 
@@ -23,7 +23,7 @@ namespace raceway {
 
 struct SlipSlicesPart : PartBase {
   static constexpr const char *name = "slip_slices", *slot = "tangential";
-  static constexpr int states = 4;    // N, forces along t and w; m/s, slips
+  static constexpr int states = 4;    // forces along t and w, N, and slips, m/s
   static constexpr bool couples = true;
   using Losses = LossList<FrictionLoss, SpinLoss>;
   struct Parameters : SlipParameters {
@@ -91,7 +91,8 @@ struct SlipSlicesPart : PartBase {
 
  private:
   // Returns c times the width divided by mu N, as a function of spin divided by the width. Along
-  // rolling it is 3.80 without spin; across rolling few slices reverse, so the slope is steep.
+  // rolling, the value is 3.80 if there is no spin. Across rolling, the sliding direction reverses
+  // in few slices, so the slope is steep.
   template <class B> static RACEWAY_INLINE B lean(double most, double falls, const B &spin)
   {
     const B x = falls * spin;

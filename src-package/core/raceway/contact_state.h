@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of a contact at one instant: its motions, and the results of the parts of the law.
+// State of a contact at one instant: the motion of the bodies, and the results of the parts of the
+// law.
 //
 // T is double, Lane, or a Dual of either type; quantities without derivatives have the plain type
 // of T. The frame is that of groove.h: n from ball to raceway, t along rolling, w = n x t across.
@@ -18,11 +19,13 @@ namespace raceway {
 template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
   // motions of the ball relative to the raceway (kinematics.h)
   T overlap = T();         // m, overlap of the rigid surfaces; negative for a gap
-  T compression = T();     // m, elastic approach of the bodies: overlap plus contributions of parts
+  T compression = T();     // m, elastic approach of the bodies, i.e. the overlap plus the
+                           // contributions of parts
   T overlap_rate = T();    // m/s
   T sliding_t = T(), sliding_w = T();            // m/s, velocity of the ball surface relative to
                                                  // the ring surface
-  T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, ball relative to ring; with couples only
+  T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, of the ball relative to the ring; used
+                                                 // only if the law has couples
   // intermediate results for other parts and for output
   T root = T();      // sqrt(m), square root of the compression
   T load = T();      // N, elastic load Q
@@ -34,7 +37,7 @@ template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
   T couple_n = T(), couple_t = T(), couple_w = T();    // N m
 };
 
-// Quantities that derivatives treat as constant.
+// Quantities that are treated as constant in derivatives.
 template <class T> struct alignas(sizeof(T)) ContactFiguresT {
   T cos_angle = T();      // cosine of the contact angle
   T entrainment = T();    // m/s
@@ -43,7 +46,8 @@ template <class T> struct alignas(sizeof(T)) ContactFiguresT {
   T film_load = T();      // N, load used for the film thickness
   // logarithms of the entrainment speed (m/s) and of film_load; the product of the film factors
   T ln_speed = T(), ln_film_load = T(), film_factor = T();
-  T h_edge = T(), h_c = T();      // m, central film thickness at the onset of load and at this load
+  T h_edge = T(), h_c = T();      // central film thickness at the onset of load and at the current
+                                  // load, m
   T h_min = T(), lambda = T();    // m; lambda ratio
   T film_energy = T();            // J, energy of the film in the gap
   T film_force = T();             // N, force of the film's Maxwell branch
@@ -56,7 +60,8 @@ template <class T> struct alignas(sizeof(T)) ContactFiguresT {
   T asperity_share = T();         // fraction of the load carried by asperities
   // contributions to couple_w, N m
   T slip_couple = T(), rolling_couple = T(), hysteresis_couple = T();
-  // if the law has couples: oil drag on the ball's centre, with the force -drag t, and its power
+  // used only if the law has couples: oil drag, which exerts the force -drag t on the ball's
+  // centre, and its power
   T drag = T(), drag_power = T();    // N, W
 };
 
@@ -76,7 +81,7 @@ RACEWAY_INLINE void copy_variables(const A *from, B *to, std::index_sequence<k..
 }
 }    // namespace detail
 
-// Copies the whole state to another number type; derivatives are set to 0 or dropped.
+// Copies the whole state to another number type. Derivatives are set to 0 or dropped.
 template <class A, class B>
 RACEWAY_INLINE void copy_state(const ContactStateT<A> &from, ContactStateT<B> &to)
 {

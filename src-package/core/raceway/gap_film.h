@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Film of one contact as a function of the compression x of the bodies, at one entrainment speed,
-// for films without a closed-form solution: the film of all regimes (film_regimes.h), or a film
-// with a factor that depends on the pressure (Gupta, film_factors.h).
+// Film thickness of one contact at one entrainment speed, as a function of the compression x of the
+// bodies. It is used for film laws that have no closed-form solution, i.e. the law for all regimes
+// (film_regimes.h) or one with a factor that depends on the pressure (Gupta, film_factors.h).
 #ifndef RACEWAY_GAP_FILM_H
 #define RACEWAY_GAP_FILM_H
 
@@ -14,7 +14,7 @@ namespace raceway {
 
 constexpr double resting = 1e-9;    // m/s, entrainment speed below which a contact is dry
 
-// Power law, evaluated at the logarithm of a load.
+// The power law, as a function of the logarithm of the load.
 template <class T> struct PowerFilmT {
   T ln_h, fall;    // logarithm of the thickness at 1 N; -d(ln h)/d(ln Q)
   RACEWAY_INLINE FilmAtLoadT<T> at(const T &ln_load) const
@@ -28,8 +28,8 @@ template <class T, bool all> class GapFilmT {
  public:
   using Film = std::conditional_t<all, MoesFilmT<T>, PowerFilmT<T>>;
 
-  // steep: Gupta's factor as a function of the root of the compression, without `unpressed`, which
-  // is included in the film, or null. K: stiffness, N/m^1.5
+  // steep: Gupta's factor as a function of the root of the compression, excluding `unpressed`,
+  // which is included in the film, or null. K is the stiffness, N/m^1.5
   RACEWAY_INLINE GapFilmT(const Film &film, const GuptaFactorT<T> *steep, const T &K) :
       film_(film), pressed_(steep != nullptr), ln_K_(logarithm(K))
   {
@@ -39,7 +39,7 @@ template <class T, bool all> class GapFilmT {
   RACEWAY_INLINE GapFilmT(const MoesRaceway &moes, const Raceway &p, const RacewayConstantsT<T> &k,
                           const State &c)
   {
-    // at rest any finite speed can be used, because the contact is dry (FilmInGapPart)
+    // at rest any finite speed can be used, because the contact is treated as dry (FilmInGapPart)
     const T ln_u = logarithm(T(where(c.entrainment > resting, c.entrainment, resting)));
     T ln_factor = T();
     pressed_ = p.factors.by_pressure;
@@ -70,8 +70,8 @@ template <class T, bool all> class GapFilmT {
     return f;
   }
 
-  // Returns the logarithm of a lower bound on the compression at the overlap d; kept: compression
-  // below which the film thickness of a power law is constant.
+  // Returns the logarithm of a lower bound on the compression at the overlap d. `kept` is the
+  // compression below which the film thickness of a power law is constant.
   RACEWAY_INLINE T start(const T &d, const T &kept) const
   {
     const T squeezed = logarithm(T(where(d > 0.0, d, 1e-30)));
@@ -80,8 +80,8 @@ template <class T, bool all> class GapFilmT {
   }
 
   // Returns the work that thins the film from `edge` (m) to its thickness at the compression x,
-  // divided by zeta, J. It is the integral of fall h over the load, by Gauss points in the
-  // logarithm of the compression.
+  // divided by zeta, J. It is the integral of (fall h) over the load, evaluated at Gauss points in
+  // the logarithm of the compression.
   RACEWAY_INLINE T work(const T &x, const T &edge, const T &kept) const
   {
     constexpr int panels = 24, points = 4;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Converts the motion of a ball and a ring to the local motions of their contact, and local forces
-// back to forces and torques, independently of the contact law (law.h).
+// Converts the motion of a ball and a ring to the local motions at their contact, and the local
+// forces back to forces and torques. This does not depend on the contact law (law.h).
 //
-// The contact point is at R_b along the normal from the ball centre; both bodies are treated as
-// rigid there. The force of the raceway on the ball is -N n - f_t t - f_w w (frame of groove.h).
-// The opposite force acts on the ring at the same point, so linear and angular momentum are
-// conserved to rounding.
+// The contact point lies at the distance R_b from the ball centre along the normal; both bodies are
+// treated as rigid there. The force of the raceway on the ball is -N n - f_t t - f_w w (frame of
+// groove.h). The opposite force acts on the ring at the same point, so linear and angular momentum
+// are conserved to rounding.
 //
 // Entrainment speed (docs/theory, Film): half the sum of both surface velocities relative to the
-// moving contact point, along t. The contact point rc u + zc e rotates about the ring axis with the
-// ball centre, at phi' = ((v_b - v_r).t + z W.u)/r, and tilts with the axis:
+// moving contact point, along t. The contact point rc u + zc e rotates about the ring axis together
+// with the ball centre, at the speed phi' = ((v_b - v_r).t + z W.u)/r, and tilts with the axis:
 //   u'.t = phi', e'.t = -W.u.
 #ifndef RACEWAY_KINEMATICS_H
 #define RACEWAY_KINEMATICS_H
@@ -46,8 +46,8 @@ RACEWAY_INLINE void from_groove(const Vec3T<T> &e, double offset, ContactForcesT
   f.ring_torque -= cross(e * offset, f.force);
 }
 
-// Sets the overlap of a ball whose position in the groove is known; returns true beyond the reach
-// of the law. NaN must not count as a gap.
+// Sets the overlap of a ball whose position in the groove is known. Returns true if the ball is
+// beyond the reach of the law. NaN must not count as a gap.
 template <class T> RACEWAY_INLINE auto out_of_reach(const Raceway &p, ContactStateT<T> &c)
 {
   c.overlap = c.s - p.slack;
@@ -61,8 +61,8 @@ inline bool touch(const Raceway &p, const Vec3 &d, const Vec3 &e, ContactState &
   return locate_beyond(d, e, p.centre_circle, p.slack - p.reach, c) && !out_of_reach(p, c);
 }
 
-// Computes the local motions of a contact whose position is known; with `rotations` also those
-// about n, t, w.
+// Computes the local motions of a contact whose position is known, including the rotations about n,
+// t and w if `rotations` is true.
 template <bool rotations, class T>
 RACEWAY_INLINE void find_motions(const Raceway &p, const BallStateT<T> &ball,
                                  const RingStateT<T> &ring, ContactStateT<T> &c)
@@ -90,7 +90,7 @@ RACEWAY_INLINE void find_motions(const Raceway &p, const BallStateT<T> &ball,
   }
 }
 
-// Computes forces and torques of a contact from its local forces; T is the plain type of S.
+// Computes the forces and torques due to a contact from its local forces; T is the plain type of S.
 template <bool couples, class T, class S>
 RACEWAY_INLINE ContactForcesT<T> assemble(const Raceway &p, const Vec3T<T> &e,
                                           const ContactStateT<S> &c)

@@ -11,12 +11,13 @@
 namespace raceway {
 
 template <class T> struct alignas(sizeof(T)) ProfiledContactT {
-  T overlap = T();    // m, reduced by the profile
+  T overlap = T();    // m, after subtracting the profile
   T slope = T();      // slope of the depth along the path of the ball's centre
   T bend = T();       // 1/m, derivative of the slope along the path; only for profiles that extend
                       // across the whole groove
-  // For a pit: energy in addition to that of the overlap, J; derivative of the overlap with respect
-  // to the approach, minus 1; stiffness (N/m) between approach and path, and along the path
+  // For a pit: energy (J) in addition to that of the overlap; derivative of the overlap with
+  // respect to the approach, minus 1; stiffness (N/m) that couples approach and path; stiffness
+  // (N/m) along the path
   T energy = T(), follows = T(), cross = T(), side = T();
 };
 using ProfiledContact = ProfiledContactT<double>;
@@ -58,7 +59,7 @@ inline ProfiledContact profiled(const RacewayProfile &profile, const Raceway &p,
   return c;
 }
 
-// Does the same for a profile of the ball, the ring or both; `view` and b belong to the ball.
+// Does the same if the ball, the ring or both have a profile; `view` and b refer to the ball.
 inline ProfiledContact profiled(const RacewayProfile *ring, const BallProfile *ball,
                                 const Raceway &p, double azimuth, double r, double overlap,
                                 const BallView &view, BallSlopes &b)
@@ -71,10 +72,10 @@ inline ProfiledContact profiled(const RacewayProfile *ring, const BallProfile *b
   return c;
 }
 
-// Rate of change of a quantity that depends on the direction of the normal in the ball's axes, per
-// unit of the velocity v of the ball's centre relative to the ring's material at that point and of
-// the spin w of the ball relative to the ring. `along` and `across` are the derivatives of the
-// quantity with respect to the direction.
+// Describes the rate of change of a quantity that depends on the direction of the normal in the
+// ball's axes. Its coefficients are per unit of the velocity v of the ball's centre relative to the
+// ring's material at that point, and per unit of the spin w of the ball relative to the ring.
+// `along` and `across` are the derivatives of the quantity with respect to the direction.
 template <class T> struct TurnRowT {
   Vec3T<T> v, w;
 
@@ -95,8 +96,8 @@ RACEWAY_INLINE TurnRowT<T> turn_row(const T &along, const T &across, const Vec3T
   return {c.t * T(along * c.nu / c.r) + aside * T(across / c.s), c.t * across - aside * along};
 }
 
-// Replaces the rate of approach (m/s) along n by the rate along G. v is the velocity along t of the
-// ball's centre relative to the ring's material at that point.
+// Replaces the rate of approach (m/s) along n by the rate along G. v is the velocity of the ball's
+// centre along t, relative to the ring's material at that point.
 template <class T>
 RACEWAY_INLINE T passing_speed(const BallStateT<T> &ball, const RingStateT<T> &ring,
                                const ContactStateT<T> &c)
@@ -104,8 +105,8 @@ RACEWAY_INLINE T passing_speed(const BallStateT<T> &ball, const RingStateT<T> &r
   return dot(ball.v - ring.v, c.t) - (dot(ring.w, ring.e) * c.r - dot(ring.w, c.u) * c.z);
 }
 
-// Adds the effect of the slope to the forces of a contact: the normal force along slope t, which
-// acts at the ball's centre, r u + z e from the ring's centre.
+// Adds the effect of the slope to the forces of a contact, i.e. the normal force times (slope t).
+// It acts at the ball's centre, which is at r u + z e from the ring's centre.
 template <class T>
 RACEWAY_INLINE void push_along(const T &slope, const Vec3T<T> &e, const ContactStateT<T> &c,
                                ContactForcesT<T> &f)
@@ -115,8 +116,8 @@ RACEWAY_INLINE void push_along(const T &slope, const Vec3T<T> &e, const ContactS
   f.ring_torque -= e * T(c.r * push) - c.u * T(c.z * push);
 }
 
-// Does the same for a ball's profile, with the row of the profile's depth; d is the position of the
-// ball's centre relative to the ring's centre.
+// Does the same for a ball's profile, using the row for the depth of the profile. d is the position
+// of the ball's centre relative to the ring's centre.
 template <class T>
 RACEWAY_INLINE void push_along(const TurnRowT<T> &depth, const Vec3T<T> &d,
                                const ContactStateT<T> &c, ContactForcesT<T> &f)

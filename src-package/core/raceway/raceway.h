@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Data of a raceway that all parts of the contact law use: groove, materials, lubricant, surfaces,
-// and the constants derived from them. Parameters of a single part are stored in that part (law.h).
+// Data of a raceway that are used by all parts of the contact law: the groove, the materials, the
+// lubricant, the surfaces, and the constants derived from them. Parameters of a single part are
+// stored in that part (law.h).
 #ifndef RACEWAY_RACEWAY_H
 #define RACEWAY_RACEWAY_H
 
@@ -24,16 +25,18 @@ struct Raceway {
 
   // computed by prepare()
   RacewayLaw law;
-  double overlap_limit = 0.0;                                        // as a fraction of the ball's
+  double overlap_limit = 0.0;                                        // largest overlap allowed, as
+                                                                     // a fraction of the ball's
                                                                      // radius
   double centre_circle = 0.0, slack = 0.0, largest_overlap = 0.0;    // m
   double roughness = 0.0, inverse_roughness = 0.0;                   // m, 1/m
-  double ln_inverse_roughness = 0.0;    // ln of a value in 1/m; minus infinity without roughness
+  double ln_inverse_roughness = 0.0;    // ln of a value in 1/m; minus infinity if there is no
+                                        // roughness
   double ball_mass = 0.0;               // kg
   double pitch_radius = 0.0;            // m
-  double reach = 0.0;    // m, gap at which contacts begin; 0 unless set by a part of the law
+  double reach = 0.0;    // m, gap at which contacts begin (0 unless it is set by a part of the law)
 
-  // Returns the origin of the largest overlap, for messages.
+  // Returns a description of what limits the overlap, for use in messages.
   const char *limit() const
   {
     return largest_overlap < overlap_limit * groove.ball_radius
@@ -41,7 +44,7 @@ struct Raceway {
                : "overlap_limit of the ball radius";
   }
 
-  // Return the effective radii along and across rolling, m (groove_radii).
+  // Return the effective radii along and across the rolling direction, m (groove_radii).
   template <class T> RACEWAY_INLINE T rolling_radius(const T &cos_angle) const
   {
     const double gamma = groove.ball_radius / pitch_radius;
@@ -60,8 +63,8 @@ struct Raceway {
     slack = groove.groove_radius * (1.0 + ring) - groove.ball_radius * (1.0 + ball);
   }
 
-  // pitch: radius of the pitch circle (m), for gamma; mass: mass of the ball (kg); limit: largest
-  // overlap as a fraction of the ball's radius.
+  // `pitch` is the radius of the pitch circle (m), which determines gamma; `mass` is the mass of
+  // the ball (kg); `limit` is the largest overlap allowed, as a fraction of the ball's radius.
   void prepare(double pitch, double mass, double limit)
   {
     overlap_limit = limit;

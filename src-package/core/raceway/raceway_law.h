@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Constants of the contacts with one raceway as functions of the contact angle.
 //
-// The effective radii depend on the contact angle (docs/theory, Geometry), and with them stiffness,
-// ellipse and film exponents. They depend on cos(alpha) only, so they are computed once on a
-// uniform grid of cos(alpha) in [0, 1] and interpolated by a four-point cubic, with a relative
-// error below 1e-9 (tested). A radial scene stays at cos(alpha) = 1 and uses the constants at that
-// node directly.
+// The effective radii depend on the contact angle (docs/theory, Geometry), and so do the stiffness,
+// the ellipse and the film exponents. They depend only on cos(alpha). They are therefore computed
+// once on a uniform grid of cos(alpha) in [0, 1] and interpolated by a four-point cubic, with a
+// relative error below 1e-9 (tested). If the load is purely radial, cos(alpha) remains 1, and the
+// constants at that node are used directly.
 #ifndef RACEWAY_RACEWAY_LAW_H
 #define RACEWAY_RACEWAY_LAW_H
 
@@ -81,15 +81,15 @@ class RacewayLaw {
              const RacewayModel &model) :
       radial_(raceway_constants(g, pitch_radius, mat, model, 1.0)), grid_(cells + 3)
   {
-    // one node beyond each end, so that every cell has four points
+    // with one more node beyond each end, so that every cell has four points
     for (int i = 0; i < cells + 3; ++i)
       grid_[i] = raceway_constants(g, pitch_radius, mat, model, double(i - 1) / cells);
   }
 
   const RacewayConstants &radial() const { return radial_; }
 
-  // Returns the constants at cos(alpha); within 1e-12 of 1 the radial constants are exact to
-  // rounding.
+  // Returns the constants at cos(alpha); within 1e-12 of cos(alpha) = 1, they are equal to the
+  // radial constants to rounding accuracy.
   RACEWAY_INLINE RacewayConstants at(double cos_angle) const
   {
     return 1.0 - cos_angle < 1e-12 ? radial_ : oblique(cos_angle);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A raceway with its contact law, for code that does not depend on the parts of the law. Only
-// contact.h and the evaluation of a law include the parts.
+// A raceway and its contact law, for code that does not depend on the parts of the law. The parts
+// are included only in contact.h and where a law is evaluated.
 #ifndef RACEWAY_RACEWAY_PHYSICS_H
 #define RACEWAY_RACEWAY_PHYSICS_H
 
@@ -17,15 +17,16 @@ constexpr int most_states = 8;
 // Properties of a set of parts, one bit per part in the order of `Parts` (contact.h).
 struct LawFacts {
   int states = 0;                // number of state variables of a contact
-  bool couples = false;          // depends on relative rotations and has couples and a drag
+  bool couples = false;          // the law depends on relative rotations and has couples and a drag
+                                 // force
   bool decides = false;          // a part determines the onset of contact
-  bool explicit_step = false;    // not available in an implicit step
+  bool explicit_step = false;    // the law cannot be used in an implicit step
   bool film = false, film_in_gap = false, asperities = false, tangential_spring = false;
-  bool spin = false;    // friction that opposes spin about the contact normal
+  bool spin = false;    // friction opposes spin about the contact normal
 };
 LawFacts law_facts(unsigned parts);
 
-// Returns the parts that a pair style has before any keyword, dry or lubricated.
+// Returns the parts of a dry or lubricated pair style before any keyword is read.
 unsigned initial_parts(bool lubricated);
 
 struct PartNumbers;    // the parameters of all parts
@@ -45,8 +46,8 @@ struct RacewayPhysics : Raceway {
   void prepare(double pitch_radius, double mass, double overlap_limit);
 
   LawFacts facts() const { return law_facts(parts); }
-  // For contacts with the film in the gap: fraction of the film that adds to the overlap; true if
-  // the film follows the law of all regimes.
+  // For contacts with the film in the gap, the functions below return the fraction of the film that
+  // adds to the overlap, and whether the film follows the law for all regimes.
   double gap_share() const;
   bool gap_film_of_all_regimes() const;
   // Replaces the tangential spring by Coulomb's law smoothed over the slide-roll ratio `creep`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Initial rotation of the balls of a bearing, with the smallest loss due to spin under pure thrust
-// (docs/tribology, Start of the balls).
+// Initial rotation of the balls in a bearing, chosen such that the loss due to spin under pure
+// thrust is smallest (docs/tribology, Start of the balls).
 #ifndef RACEWAY_START_ROTATION_H
 #define RACEWAY_START_ROTATION_H
 
@@ -15,17 +15,18 @@ struct StartingBall {
   double radius, mass;                // m, kg
   double path;                        // m, initial radius of the circle on which the ball's centre
                                       // moves
-  double orbit;                       // rad/s, orbital speed, used for the centrifugal force
+  double orbit;                       // rad/s, orbital speed, from which the centrifugal force is
+                                      // computed
   double inner_speed, outer_speed;    // rad/s, of the rings
-  double thrust;    // N, fraction of the axial force on the inner ring that this ball carries; 0:
-                    // unknown
-  // rad, contact angle on both raceways at the initial position; above 0 if a thrust on the inner
+  double thrust;    // N, axial load that this ball carries out of the axial force on the inner
+                    // ring; 0: unknown
+  // rad, contact angle on both raceways at the initial position; positive if a thrust on the inner
   // ring along +e closes the contacts
   double angle;
 };
 
-// Returns the contact that rolls at the speed `roll` (rad/s). The friction coefficients of both
-// raceways are assumed to be equal.
+// Returns the spin data of a contact that rolls at the speed `roll` (rad/s). The friction
+// coefficients of both raceways are assumed to be equal.
 inline SpinContact spin_contact(const Raceway &p, const ThrustContact &c, double sense,
                                 double ring_speed, double roll)
 {
@@ -38,9 +39,9 @@ inline SpinContact spin_contact(const Raceway &p, const ThrustContact &c, double
           0.5 * spin_width * std::fabs(roll) * a / deformed};
 }
 
-// Returns the rotation at the contact angles and loads due to the thrust. Without a thrust, or if
-// the grooves cannot carry the thrust, it is the rotation at the contact angle of the initial
-// position and a small load.
+// Returns the rotation at the contact angles and loads that result from the thrust. If there is no
+// thrust or the grooves cannot carry it, returns the rotation for a small load and the contact
+// angle of the initial position.
 inline BallRotation start_rotation(Raceway inner, Raceway outer, const StartingBall &b)
 {
   for (Raceway *p : {&inner, &outer}) {

@@ -2,12 +2,12 @@
 // Equilibrium of a ball in a bearing under pure thrust, including its centrifugal force, for rigid
 // rings and dry Hertz contacts (docs/tribology, Start of the balls).
 //
-// Along the axis both contacts carry the ball's part f of the thrust, Q_k sin(alpha_k) = f.
-// Radially the outer contact also carries the centrifugal force F, Q_o cos(alpha_o) = Q_i
-// cos(alpha_i) + F. The distance of each centre of curvature from the ball is the sum of slack and
-// compression. The radial components of both distances add up to the radial distance between the
-// centres, which the thrust does not change. This sum decreases with alpha_i, so the root is
-// unique.
+// In the axial direction, both contacts carry the part f of the thrust that acts on the ball: Q_k
+// sin(alpha_k) = f. In the radial direction, the outer contact also carries the centrifugal force
+// F: Q_o cos(alpha_o) = Q_i cos(alpha_i) + F. The distance of each centre of curvature from the
+// ball's centre is the sum of the slack and the compression. The radial components of both
+// distances add up to the radial distance between the centres, which the thrust does not change.
+// This sum decreases with alpha_i, so the root is unique.
 #ifndef RACEWAY_THRUST_BALL_H
 #define RACEWAY_THRUST_BALL_H
 
@@ -36,7 +36,8 @@ struct ThrustBall {
 };
 
 // Computes the equilibrium of a ball under its part `share` (N, above 0) of the thrust and a
-// centrifugal force (N). Of the raceways, only groove, materials and pitch_radius must be set.
+// centrifugal force (N). In each raceway, only the groove, the materials and pitch_radius have to
+// be set.
 inline ThrustBall thrust_ball(const Raceway &inner, const Raceway &outer, double share,
                               double centrifugal)
 {

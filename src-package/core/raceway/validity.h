@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The only place where the validity of the formulas for a contact is checked.
 //
-// Errors: a contact ellipse as wide as the groove, or an overlap beyond the limit of the deck.
-// Warnings: a pressure that leaves dents, a film thicker than the contact length, a lambda ratio
-// above the values found in bearings, a capacitance of a conducting film, a film outside the range
-// of Hamrock and Dowson's fit, a contact ellipse that extends beyond the shoulder of the groove.
+// Errors: a contact ellipse that is as wide as the groove, or an overlap above the limit set in the
+// deck. Warnings: a pressure that causes permanent dents, a film that is thicker than the contact
+// is long, a lambda ratio above the values found in bearings, a capacitance computed for a film
+// that conducts, a film outside the range of Hamrock and Dowson's fit, or a contact ellipse that
+// extends beyond the shoulder of the groove.
 #ifndef RACEWAY_VALIDITY_H
 #define RACEWAY_VALIDITY_H
 
@@ -20,7 +21,7 @@ struct Validity {
   enum Doubt { PRESSURE, THICK_FILM, LAMBDA, CONDUCTS, FILM_FIT, SHOULDER, N };
 
   struct Rule {
-    const char *name, *value, *unit, *limit;    // a `value` beyond `bound` is doubtful
+    const char *name, *value, *unit, *limit;    // a `value` that exceeds `bound` is doubtful
     double bound;
     bool below;    // the bound is a minimum instead of a maximum
   };
@@ -71,7 +72,7 @@ struct Validity {
   }
 
   // A groove of this depth (m) ends at the angle theta from its bottom, cos theta = 1 - depth/r_c.
-  // An ellipse with the semi-axis a (m) across the groove reaches to the contact angle plus
+  // An ellipse whose semi-axis across the groove is a (m) extends up to the contact angle plus
   // asin(a/r_c).
   void note_reach(double ball_id, const Groove &g, double depth, double cos_angle, double a)
   {

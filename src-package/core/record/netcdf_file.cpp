@@ -61,7 +61,7 @@ std::string NetcdfFile::open(const std::string &path, const NetcdfHeader &header
   return "";
 }
 
-// Closes a file that must not be written, without changing it.
+// Closes a file that must not be written to, without changing it.
 std::string NetcdfFile::leave(const std::string &why)
 {
   ::close(file_);
@@ -113,7 +113,7 @@ unsigned char *NetcdfFile::start_record()
   return record;
 }
 
-// The system needs as long to copy a batch as the run needs to compute it, so a separate thread
+// The system takes as long to copy a batch as the run takes to compute it, so a separate thread
 // waits for the write.
 std::string NetcdfFile::flush()
 {

@@ -29,12 +29,12 @@ class NetcdfFile {
 
   // Creates or replaces a file. Records follow in batches of `batch` records.
   std::string create(const std::string &path, const NetcdfHeader &, size_t batch);
-  // Continues a file that has the same header except for the value of the scalar `changing`, after
-  // the file has been cut to its first `records` records.
+  // Cuts a file to its first `records` records and continues it. Except for the value of the scalar
+  // `changing`, the file must have the same header.
   std::string go_on(const std::string &path, const NetcdfHeader &, size_t batch, size_t records,
                     int changing);
 
-  // Returns the bytes of the next record, which are initially blank.
+  // Returns a pointer to the bytes of the next record, all of whose values are initially blank.
   unsigned char *start_record();
   void put(int variable, size_t first, const double *values, size_t n)
   {
@@ -45,11 +45,14 @@ class NetcdfFile {
   }
 
   bool full() const { return filled_ == batch_; }
-  std::string flush();        // sends the current batch; returns any error of the previous batch
-  std::string hand_over();    // flushes and waits until the system has all data
+  std::string flush();        // sends the current batch to the system; returns any error that
+                              // occurred in the previous batch
+  std::string hand_over();    // flushes and waits until all data have been handed over to the
+                              // system
   std::string settle();       // flushes, updates the count and waits until everything is on disk
   std::string close();
-  std::string put_fixed(int variable, double value);    // sets a scalar without time, at once
+  std::string put_fixed(int variable, double value);    // writes a scalar that has no time
+                                                        // dimension immediately
 
   bool is_open() const { return file_ >= 0; }
   size_t records() const { return written_ + sending_ + filled_; }
@@ -59,12 +62,12 @@ class NetcdfFile {
   std::string leave(const std::string &why);
   std::string wait();
   std::string count(size_t records);
-  std::string write_head();    // writes all but the count
+  std::string write_head();    // writes the whole header except for the number of records
 
   NetcdfHeader header_;
   std::string head_;    // current bytes of the header
   std::vector<unsigned char> buffer_, sent_, blank_;
-  std::future<std::string> writing_;    // the write of sent_
+  std::future<std::string> writing_;    // the pending write of sent_
   size_t batch_ = 1, filled_ = 0, sending_ = 0, written_ = 0, countable_ = 0;
   int file_ = -1;
   double counted_at_ = 0.0;    // s

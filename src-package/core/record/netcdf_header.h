@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The header of a netCDF classic file with 64-bit offsets (CDF-2): dimensions, attributes,
-// variables, and the values of variables without time. All numbers are big-endian (OGC 10-092r3).
-// Independent of the host and of libraries.
+// variables, and the values of variables that have no time dimension. All numbers are big-endian
+// (OGC 10-092r3). This code depends neither on the host nor on any library.
 //
-// The first attribute, `checksum`, contains the length of the header and a checksum of the header,
-// which is computed with zeros in place of the number of records and of the checksum itself. The
+// The first attribute, `checksum`, contains the length of the header and a checksum of it. The
+// checksum is computed with zeros in place of the number of records and of the checksum itself. The
 // last variable of a record, `checksum`, covers the bytes before it; its seed is the number of the
 // record (core/numbers/checksum.h).
 #ifndef BEARING_NETCDF_HEADER_H
@@ -24,23 +24,23 @@ class NetcdfHeader {
     std::string name;
     Type type;
     std::string words;         // value if the type is text
-    std::vector<double> of;    // values of other types
-    bool changes = false;      // whether a number may change when a run is continued
+    std::vector<double> of;    // values if the type is any other
+    bool changes = false;      // true if the number may change when a run is continued
   };
   using Attributes = std::vector<Attribute>;
   struct Variable {
     std::string name;
     std::vector<int>
-        dimensions;    // indices; 0, the record dimension, comes first if there is a value per
-                       // record
+        dimensions;    // indices of the dimensions; 0, the record dimension, comes first if there
+                       // is a value per record
     Type type = real;
     Attributes attributes;
     std::string words;         // values of a fixed variable of type text
-    std::vector<double> of;    // values of a fixed variable of another type
-    double blank = 0.0;        // value of empty cells in a record
+    std::vector<double> of;    // values of a fixed variable of any other type
+    double blank = 0.0;        // value stored in empty cells of a record
     // set by layout()
-    size_t size = 1;    // number of values in a record or, without records, in the file
-    size_t at = 0;      // position in bytes from the start of the record, or of the file
+    size_t size = 1;    // number of values in a record or, if the variable is fixed, in the file
+    size_t at = 0;      // position in bytes from the start of the record or of the file
     bool in_record() const { return !dimensions.empty() && dimensions[0] == 0; }
   };
 
@@ -67,7 +67,7 @@ class NetcdfHeader {
   const std::string &bytes() const { return bytes_; }    // includes fixed values, but no records
   size_t record_bytes() const { return record_bytes_; }
   std::vector<unsigned char> blank_record() const;
-  // Positions of the attributes that may change, with 8 bytes each.
+  // Positions of the attributes that may change. Each occupies 8 bytes.
   const std::vector<size_t> &changing() const { return changing_; }
   static constexpr size_t count_at = 4;    // position of the number of records (4 bytes)
 
@@ -77,7 +77,7 @@ class NetcdfHeader {
     size_t length;
   };
   std::string written(size_t records_at);
-  size_t sum_at() const;    // position of the digits in bytes_
+  size_t sum_at() const;    // position of the digits of the checksum in bytes_
 
   std::vector<Dimension> dimensions_;
   Attributes attributes_;
@@ -87,7 +87,7 @@ class NetcdfHeader {
   size_t record_bytes_ = 0;
 };
 
-// Writes values in the byte order and width of the file.
+// Write values in the byte order and with the width used in the file.
 inline void put_real(unsigned char *to, double value)
 {
   uint64_t b;

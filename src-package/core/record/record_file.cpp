@@ -84,7 +84,7 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
       fix(of_kind::list[k], bearing, Header::real,
           each(layout_.bearings, [k](const auto &b) { return b.of[k]; }));
 
-  // The indices of the variables are stored until the positions in a sample are known.
+  // The indices of the variables are stored until their positions in a sample are known.
   const auto add = [&](const std::string &prefix, const Column &c, std::vector<int> dimensions,
                        Header::Type type = Header::real) -> size_t {
     return header_.variable(
@@ -158,7 +158,8 @@ const double *RecordFile::take(const double *row, const double *end, bool &whole
                                     : kind == CAGE ? cage_
                                     : kind == RING ? ring_
                                                    : contact_;
-    // local copies, because the compiler must assume that the bytes written alias any variable
+    // local copies are used because the compiler must assume that the bytes written may alias any
+    // variable
     const size_t *const column = at.data(), columns = at.size();
     const bool single = kind == CONTACT && content_.single;
     unsigned char *const to = sample_ + (single ? 4 : 8) * place;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A record as one netCDF file: the variables, the assembly of a sample from the rows of its parts,
-// and the sums over each bearing. The rows may arrive in any order without affecting the bytes of
-// the file. Independent of the host.
+// and the sums over each bearing. The order in which the rows arrive does not affect the bytes of
+// the file. This code does not depend on the host.
 #ifndef BEARING_RECORD_FILE_H
 #define BEARING_RECORD_FILE_H
 
@@ -20,15 +20,15 @@ class RecordFile {
     bool motion = true;             // include the motion of balls and cage
     bool film = false, capacitance = false, surroundings = false;
     unsigned law = 0;        // parts of the contact law
-    bool spheres = false;    // whether balls touch cage balls or one another
-    bool heat = false;       // whether temperatures follow the losses
+    bool spheres = false;    // true if balls may touch cage balls or one another
+    bool heat = false;       // true if temperatures follow the losses
     NetcdfHeader::Attributes about;
   };
   // A row consists of its kind, its index in the layout and its values. The row that ends a sample
-  // contains the time, the step and, with heat, the temperatures of each bearing (NAN if unknown).
-  // The index of a contact is (raceway * grooves + groove) * balls + ball.
+  // contains the time, the step and, if `heat` is true, the temperatures of each bearing (NAN if
+  // unknown). The index of a contact is (raceway * grooves + groove) * balls + ball.
   enum Kind { BALL, CONTACT, CAGE, RING, END };
-  // number of temperatures of a bearing, which are of_fix_heat from INNER to OIL
+  // number of temperatures per bearing, which are the columns of of_fix_heat from INNER to OIL
   enum { TEMPERATURES = of_fix_heat::OIL + 1 - of_fix_heat::INNER };
   enum { MOTION = 9, FIRST_OF_RING = of_ring::X, RING_VALUES = of_ring::AZ + 1 - of_ring::X };
 
@@ -40,11 +40,11 @@ class RecordFile {
   const NetcdfHeader &header() const { return header_; }
   NetcdfFile &file() { return file_; }
 
-  // Takes rows up to the end of a sample or of the list, and returns the end of the rows that were
-  // taken.
+  // Reads rows up to the end of a sample or of the list, and returns the end of the rows that have
+  // been read.
   const double *take(const double *row, const double *end, bool &whole);
-  // Writes the sample, with the row that ends it, once all parts have reported. Returns an error
-  // message, which is empty on success.
+  // Writes the sample, including the row that ends it, once all parts have been received. Returns
+  // an error message, which is empty on success.
   std::string end_sample(const double *row);
 
  private:
@@ -56,13 +56,14 @@ class RecordFile {
   NetcdfFile file_;
   int finished_ = -1;
   static constexpr size_t nowhere = SIZE_MAX;    // position of a column that is not in the record
-  // positions in bytes from the start of a sample, by column
+  // positions of the columns in bytes from the start of a sample
   size_t time_, step_, pocket_ = nowhere;
   std::vector<size_t> contact_, ball_, cage_, ring_, bearing_, heat_;
-  unsigned char *sample_ = nullptr;    // the current sample, if a part has reported
+  unsigned char *sample_ = nullptr;    // the current sample, or null if nothing has been received
+                                       // for it yet
   std::vector<BallFigures> shares_;
-  std::vector<double> rails_;    // W, by cage ball
-  std::vector<double> lands_;    // W, by ring
+  std::vector<double> rails_;    // W, for each cage ball
+  std::vector<double> lands_;    // W, for each ring
   size_t reported_ = 0;
 };
 

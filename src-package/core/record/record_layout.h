@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The bearings of a record and their parts, in the order of the file. Independent of the host.
+// The bearings in a record and their parts, in the order used in the file. This code does not
+// depend on the host.
 #ifndef BEARING_RECORD_LAYOUT_H
 #define BEARING_RECORD_LAYOUT_H
 
@@ -19,8 +20,8 @@ struct RecordLayout {
     int bearing;
     int raceway;    // 0 inner, 1 outer, 2 one-piece cage
     double origin[3];
-    // for a cage: play of the pockets along the circle (m), CageRing::Guide, and azimuth of the
-    // first pocket (rad)
+    // for a cage: play of the pockets along the pitch circle (m), value of CageRing::Guide, and
+    // azimuth of the first pocket (rad)
     double play, guide, phase;
   };
   struct Bearing {
@@ -32,7 +33,8 @@ struct RecordLayout {
   std::vector<RecordBody> balls, cage;
   std::vector<RecordRing> rings;
 
-  int grooves = 1;    // number per ring and ball; contacts are sorted by raceway, groove and ball
+  int grooves = 1;    // number of grooves per ring and ball; contacts are sorted by raceway, then
+                      // groove, then ball
 
   static constexpr int cage_ring = 2;    // value of `raceway` for a one-piece cage
   bool pockets() const

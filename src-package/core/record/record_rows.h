@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Collects the rows of one rank for RecordFile (record_file.h), sample by sample. The contacts of a
-// ball come before the ball. Independent of the host.
+// ball come before the ball itself. This code does not depend on the host.
 #ifndef BEARING_RECORD_ROWS_H
 #define BEARING_RECORD_ROWS_H
 
@@ -15,29 +15,31 @@ class RecordRows {
   using Tag = std::int64_t;
   using Columns = std::vector<const ContactColumn *>;
 
-  // Starts samples for a file, with `batch` samples at a time.
+  // Prepares to collect samples for a file in batches of `batch` samples.
   void begin(const RecordLayout &, const RecordFile &, const Columns &, size_t batch);
 
   int ball(Tag) const;    // index in the layout, or -1 if it is not in the record
-  // Returns true if orbit() must be called. The speed of a ball (rad/s) is measured about the axis
-  // of the outer ring, or of the ball's only ring.
+  // Returns true if orbit() must be called. The orbital speed of a ball (rad/s) is measured about
+  // the axis of the outer ring or, if the ball has only one ring, of that ring.
   bool needs_orbit(int ball, raceway::Side s) const
   {
     return s == raceway::Side::outer || shares_[ball].orbit == 0.0;
   }
   void orbit(int ball, double value) { shares_[ball].orbit = value; }
   void contact(int ball, const ContactView &);    // adds an active contact
-  // Adds surfaces without contact, for which only the surroundings have a value.
+  // Adds two surfaces that are not in contact; only their surroundings have values.
   void gap(int ball, const ContactView &);
   // Adds a contact with a cage ball or another ball. The loss (W) is the part that is assigned to
   // this ball; the force is in N.
   void cage(int ball, double loss, double force) { shares_[ball].cage(loss, force); }
   void rail(Tag cage_ball, double loss);    // W
-  void land(Tag cage, double loss);         // W, for a cage ring at its land and by churning
+  void land(Tag cage, double loss);         // W, loss of a one-piece cage at its land and by
+                                            // churning
   // Adds a ball or cage ball. Must be called after all of its contacts have been added.
   void body(Tag, const raceway::Vec3 &x, const raceway::Vec3 &v, const raceway::Vec3 &w);
-  void ring(const double *of);    // columns from of_ring::RING on; to be called after land()
-  // Ends a sample. The temperatures are in the order of the row of RecordFile.
+  void ring(const double *of);    // values are the columns from of_ring::RING on; must be called
+                                  // after land()
+  // Ends a sample. The temperatures are in the order used in a row of RecordFile.
   void end(double time, double step, const std::vector<double> &temperatures);
 
   bool full() const { return samples_ == batch_; }
@@ -72,15 +74,15 @@ class RecordRows {
 
   Columns columns_;
   int grooves_ = 1;              // per ring
-  std::vector<Place> places_;    // by tag
+  std::vector<Place> places_;    // sorted by tag
   size_t widths_[4] = {};
   size_t batch_ = 1, samples_ = 0;
   std::vector<double> said_;    // only the first used_ values are valid
   size_t used_ = 0;
   // values of the current sample
-  std::vector<BallFigures> shares_;    // by ball
-  std::vector<double> rails_;          // W, by cage ball
-  std::vector<double> lands_;          // W, by ring
+  std::vector<BallFigures> shares_;    // for each ball
+  std::vector<double> rails_;          // W, for each cage ball
+  std::vector<double> lands_;          // W, for each ring
 };
 
 }    // namespace bearing

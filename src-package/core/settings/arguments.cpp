@@ -57,7 +57,7 @@ void Arguments::take_variables()
     }
     const std::optional<std::string> value = host_variable(lmp_, name);
     if (!value) continue;
-    // a line whose style is a variable contains the words of all styles that it may have
+    // a line whose style is given by a variable contains the words of all styles that it may select
     if (!ours) fail("variable " + name + " belongs to " + entry->of + ": leave it out here");
     words_.push_back(name);
     std::istringstream in(*value);
@@ -88,7 +88,7 @@ std::optional<std::string> Arguments::content(const std::string &file) const
   std::string found;    // "+" followed by the text of a readable file
   if (is_first_rank(lmp_)) {
     std::ifstream in(file, std::ios::binary);
-    // a folder can also be opened, but contains no data
+    // a folder can also be opened, but no data can be read from it
     const bool empty = in && in.peek() == std::ifstream::traits_type::eof() && !in.bad();
     std::ostringstream copy;
     if (empty || (in && copy << in.rdbuf())) found = "+" + copy.str();
@@ -177,7 +177,8 @@ int Arguments::choice(const std::string &what, const std::vector<std::string> &a
   fail(what + " is '" + s + "', must be one of: " + list);
 }
 
-// Returns the end of a message, with the word from the list "a, b, c" that the user probably meant.
+// Returns the end of a message, which suggests the word from the list "a, b, c" that the user
+// probably meant.
 static std::string meant(const std::string &wrong, const std::string &list)
 {
   std::set<std::string> known;

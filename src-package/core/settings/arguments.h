@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Reads the words of one command. Every mistake is reported before the run starts, on all ranks, as
-// an error with the command, the value and the allowed range.
+// an error that states the command, the value and the allowed range.
 #ifndef BEARING_ARGUMENTS_H
 #define BEARING_ARGUMENTS_H
 
@@ -14,15 +14,15 @@ class LAMMPS;
 
 namespace bearing {
 
-// Functions of the host for reading a command, declared without the host's headers
-// (arguments_host.cpp). They are collective, so all ranks must call them together.
+// Functions of the host that are needed to read a command. They are declared without the host's
+// headers (arguments_host.cpp). They are collective, so they must be called on all ranks.
 [[noreturn]] void stop_run(LAMMPS_NS::LAMMPS *, const std::string &why);    // with an error message
 bool is_first_rank(LAMMPS_NS::LAMMPS *);
-std::string of_first_rank(LAMMPS_NS::LAMMPS *, const std::string &);    // of the first rank, on all
-                                                                        // ranks
+std::string of_first_rank(LAMMPS_NS::LAMMPS *, const std::string &);    // returns the string of the
+                                                                        // first rank on all ranks
 std::optional<std::string> host_variable(LAMMPS_NS::LAMMPS *, const std::string &name);
 
-// Returns a number in the user's notation ("6.3e-3") for messages.
+// Returns a number as a user would write it ("6.3e-3"), for use in messages.
 std::string text(double value);
 
 // `vars K ...` at the end of a command stands for `K VALUE` for every K that is a variable of the
@@ -38,24 +38,26 @@ class Arguments {
   size_t left() const { return words_.size() - next_; }
   bool take(const char *keyword);    // true if `keyword` is the next word, which is then consumed
   bool next_is_number() const;
-  const std::string &next() const { return words_[next_]; }    // is not consumed and must exist
+  const std::string &next() const { return words_[next_]; }    // the word is not consumed and must
+                                                               // exist
   std::vector<std::string> rest() const { return {words_.begin() + next_, words_.end()}; }
-  std::string word(const std::string &what);    // next word; error if there is none
+  std::string word(const std::string &what);    // next word; it is an error if there is none
   double number(const std::string &what);
   double number_in(const std::string &word, const std::string &what) const;    // value of a word
   double positive(const std::string &what);                                    // > 0
   double non_negative(const std::string &what);                                // >= 0
   double within(const std::string &what, double lo, double hi);
   int integer(const std::string &what, int lo, int hi);
-  // Returns the value of a deck variable, which must be in its range in the table of variables.
+  // Reads the value of a deck variable, which must be within the range stated in the table of
+  // variables.
   std::string value_of(const char *variable);
   double number_of(const char *variable);
   int choice(const std::string &what, const std::vector<std::string> &allowed);
   void skip_rest() { next_ = words_.size(); }
   [[noreturn]] void unknown(const std::string &allowed);    // error: the next word is not a keyword
   [[noreturn]] void fail(const std::string &why) const;
-  // Returns on all ranks the text of a file that rank 0 reads, or no value if the file is
-  // unreadable.
+  // Returns the text of a file on all ranks, or no value if the file is unreadable. Only rank 0
+  // reads the file.
   std::optional<std::string> content(const std::string &file) const;
 
  private:

@@ -20,7 +20,7 @@ struct Line {
   std::vector<double> values;
 };
 
-// Lists the lines of a file by their first words and creates error messages about them.
+// Groups the lines of a file by their first words and creates error messages about them.
 class Reader {
  public:
   Reader(const Arguments &args, const std::string &name, const std::string &content) :
@@ -64,7 +64,7 @@ class Reader {
   [[noreturn]] void fail(const std::string &why) const { args_.fail("'" + name_ + "' " + why); }
 
  private:
-  static std::string plain(const std::string &line)    // without blanks at both ends
+  static std::string plain(const std::string &line)    // without leading and trailing blanks
   {
     const char *blanks = " \t\r";
     const size_t first = line.find_first_not_of(blanks);

@@ -9,12 +9,12 @@
 namespace bearing {
 
 struct BendingShaft {
-  double mass, centre;    // kg; m, along the bearing axis
+  double mass, centre;    // mass, kg; position of the centre of mass along the bearing axis, m
   raceway::RingInertia inertia;
   raceway::ShaftModes modes;
 };
 
-// Reads the file, with the same result on all ranks. Error messages state the file and the line.
+// Reads the file; the result is the same on all ranks. Error messages name the file and the line.
 BendingShaft read_bending_shaft(const Arguments &, const std::string &name);
 
 }    // namespace bearing

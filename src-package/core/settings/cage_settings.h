@@ -10,17 +10,18 @@
 namespace bearing {
 
 struct CageSettings {
-  raceway::CageRing of;    // without the values that depend on the balls and the pitch circle
+  raceway::CageRing of;    // excluding the values that depend on the balls and the pitch circle
   raceway::RingProgram program;
-  double young[2] = {2.08e11, 2.08e11}, poisson[2] = {0.3, 0.3};    // ball and cage, steel
-  double height = 0.0;                                              // m, height of the oil band in
-                                                                    // a pocket
-  double oil = 0.0, filled = 1.0;                                   // Pa s; filled fraction of
-                                                                    // pockets
+  double young[2] = {2.08e11, 2.08e11}, poisson[2] = {0.3, 0.3};    // for ball and cage; default:
+                                                                    // steel
+  double height = 0.0;                                              // height of the oil band in a
+                                                                    // pocket, m
+  double oil = 0.0, filled = 1.0;                                   // oil viscosity, Pa s; filled
+                                                                    // fraction of the pockets
   double land_filled = -1.0;                                        // filled fraction at the land,
                                                                     // or -1
 
-  // Reads all words after the ball type. Stops with an error if words contradict each other.
+  // Reads all words after the ball type. Stops with an error if the words contradict each other.
   void read(Arguments &);
   // Derives the values that depend on the radius of the balls (m) and of the pitch circle (m).
   // Stops with an error if the balls do not fit.

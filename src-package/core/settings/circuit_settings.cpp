@@ -11,7 +11,8 @@ using raceway::Waveform;
 
 namespace {
 
-// Reads rows of seconds and volts from a text file, in which # starts a comment.
+// Reads rows that consist of a time (s) and a voltage (V) from a text file, in which # starts a
+// comment.
 void read_table(const Arguments &args, Waveform &w, const std::string &name)
 {
   const std::optional<std::string> content = args.content(name);

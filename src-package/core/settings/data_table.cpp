@@ -27,7 +27,7 @@ DataTable::DataTable(const std::string &file) : file_(file)
   int number = 0;
   for (std::string line; complaint_.empty() && std::getline(in, line);) {
     if (++number == 1 && line.compare(0, 3, "\xef\xbb\xbf") == 0) line.erase(0, 3);    // UTF-8 BOM
-    // spreadsheets end lines with a carriage return and pad short lines with commas
+    // spreadsheet programs end lines with a carriage return and pad short lines with commas
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.find_first_not_of(" ,") == std::string::npos || line[0] == '#') continue;
     if (!head) {

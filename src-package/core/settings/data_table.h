@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Tables of data files, FOLDER/*.csv. Each row stands for a data file with the row's name. The
-// format is described in docs/catalogue.rst.
+// Tables that replace data files, FOLDER/*.csv. Each row stands for a data file that has the name
+// of the row. The format is described in docs/catalogue.rst.
 #ifndef BEARING_DATA_TABLE_H
 #define BEARING_DATA_TABLE_H
 
@@ -31,13 +31,12 @@ class DataTable {
   void read_row(const std::string &line, int number);
 };
 
-// Returns the name of the variable in a line `variable NAME ...`, and an empty string for any other
-// line.
+// Returns NAME if the line is of the form `variable NAME ...`, and an empty string otherwise.
 std::string variable_of(const std::string &line);
 
 std::vector<DataTable> tables_of(const std::string &folder);    // sorted by file name
 
-// Returns the names, starting with those that differ from `name` by only a few letters.
+// Returns the given names, starting with those that differ from `name` by only a few letters.
 std::vector<std::string> near_first(const std::string &name, const std::set<std::string> &names);
 
 // Returns the Levenshtein distance, i.e. the number of letters that must be changed, added or

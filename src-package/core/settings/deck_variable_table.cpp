@@ -13,8 +13,8 @@ namespace bearing {
 static const char *const moves =
     "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet";
 
-// Styles are named as in a deck: `bearing/ring` is fix bearing/ring. A variable at the head of the
-// main deck belongs to the style of its keyword.
+// Styles are named as in a deck: `bearing/ring` is fix bearing/ring. A variable that is set at the
+// top of the main deck belongs to the style that has the corresponding keyword.
 const std::vector<DeckVariable> &deck_variables()
 {
   static const std::vector<DeckVariable> table = {
@@ -106,7 +106,7 @@ const std::vector<DeckVariable> &deck_variables()
       {"axial", "0", "N", "-1.0e6 1.0e6", "bearing/ring",
        "load along the axis; 0: the ring is held in the axial direction"},
       {"moment_x", "0", "N m", "-1.0e5 1.0e5", "bearing/ring",
-       "moment on the ring about x; without moments the tilts of the ring are held"},
+       "moment on the ring about x; if neither moment is given, the ring cannot tilt"},
       {"moment_y", "0", "N m", "-1.0e5 1.0e5", "bearing/ring", "moment on the ring about y"},
       {"unbalance", "0", "kg m", "0 1.0e3", "bearing/ring",
        "mass times eccentricity of an unbalance that rotates with the ring"},
@@ -173,7 +173,7 @@ const std::vector<DeckVariable> &deck_variables()
        "sampling rate of the signal"},
       {"oversampling", "4", "", "1 100 whole", "bearing/vibration",
        "number of samples in the record per sample of the signal"},
-      // bearings: complete data, and the usual data from which complete data are derived
+      // bearings: complete data, and usual data, from which complete data are derived
       {"balls", "", "", "2 1000 whole", "bearing data", "number of balls"},
       {"ball_diameter", "", "m", "1.0e-4 0.3", "bearing data", "diameter of a ball"},
       {"inner_radius", "", "m", "1.0e-4 10", "bearing data",
@@ -212,8 +212,8 @@ const std::vector<DeckVariable> &deck_variables()
        "play of a ball in its pocket along the pitch circle"},
       {"bore_diameter", "", "m", "1.0e-4 20", "usual data", "bore of the inner ring"},
       {"bearing_width", "", "m", "1.0e-4 3", "usual data", "width of the rings"},
-      // Oils. The defaults are those of mineral oils. The effects were determined in a 6208 with
-      // vg46 at 70 C, under 1 to 5 kN at 100 to 6000 rpm.
+      // Oils. The defaults are those of mineral oils. The effects were determined for a 6208 with
+      // vg46 at 70 C, under loads of 1 to 5 kN at 100 to 6000 rpm.
       {"oil_conductivity", "0.14", "W/(m K)", "1.0e-3 100", "oil constant",
        "thermal conductivity; an increase by 20 % makes the film 0 to 1 % thicker and changes the "
        "torque less",
@@ -298,7 +298,8 @@ const DeckVariable *find_deck_variable(const std::string &name, const std::strin
 
 std::string mistyped(const std::set<std::string> &names)
 {
-  constexpr size_t slips = 2, shortest = 5;    // shorter names would change by half
+  constexpr size_t slips = 2, shortest = 5;    // in shorter names, this would be half of the
+                                               // letters
   for (const std::string &name : names) {
     if (find_deck_variable(name) || name.size() < shortest) continue;
     for (const DeckVariable &v : deck_variables())
@@ -328,7 +329,7 @@ std::string wrong_value(const DeckVariable &v, const std::string &value)
   const bool whole = more == "whole", also = more == "or";
   char *end = nullptr;
   const double is = strtod(value.c_str(), &end);
-  // the hosts' formulas do not accept the other number formats of C (hex, inf, nan)
+  // the formulas of the hosts do not accept the other number formats of C (hex, inf, nan)
   if (value.empty() || *end || value.find_first_not_of("0123456789.eE+-") != std::string::npos ||
       value[0] == '+')
     return v.label() + " must be a number like 5000 or 5.0e3, not '" + value + "'";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Records the words of the fixes and bearings of a deck, and checksums of the files that these
-// commands read. Both are recorded by Arguments, so that a continued run can be compared with its
-// restart file. Independent of the host.
+// Records the words of the commands that define the fixes and bearings of a deck, and checksums of
+// the files that these commands read. Both are recorded by Arguments, so that a continued run can
+// be compared with its restart file. This does not depend on the host.
 #ifndef BEARING_DECK_WORDS_H
 #define BEARING_DECK_WORDS_H
 
@@ -14,14 +14,14 @@ class LAMMPS;
 
 namespace bearing {
 
-// Records the words of a command. For a fix, only the last command is recorded; several
-// create_bearing commands are recorded as one checksum. Paths and the options of a continued run
+// Records the words of a command. For a fix, only the last command is recorded, whereas several
+// create_bearing commands are recorded as one checksum. Paths and the options for continuing a run
 // are omitted.
 void note_words(const LAMMPS_NS::LAMMPS *, const std::string &command,
                 const std::vector<std::string> &words);
 void note_file(const LAMMPS_NS::LAMMPS *, const std::string &command, const std::string &content);
 
-// Returns the recorded words of a command in one line, or an empty string if the command was not
+// Returns the recorded words of a command on one line, or an empty string if the command was not
 // recorded.
 std::string noted_words(const LAMMPS_NS::LAMMPS *, const std::string &command);
 

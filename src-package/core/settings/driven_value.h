@@ -37,7 +37,7 @@ class DrivenValue {
     return d;
   }
 
-  // Returns the number, or NAN for a variable.
+  // Returns the number, or NAN if the value is a variable.
   double constant_value() const { return name_.empty() ? value_ : NAN; }
   bool is_zero() const { return name_.empty() && value_ == 0.0; }
   bool is_variable() const { return !name_.empty(); }
@@ -49,7 +49,7 @@ class DrivenValue {
 
   double now(LAMMPS_NS::LAMMPS *) const;
 
-  // Returns the values for every owned atom of a group, and 0 for other atoms.
+  // Returns the values for the owned atoms of a group, and 0 for all other owned atoms.
   std::vector<double> of_atoms(LAMMPS_NS::LAMMPS *, int igroup) const;
 
   const std::string &name() const { return name_; }

@@ -27,8 +27,8 @@ bool same_file(const Claim &claim)
          now.st_ino == claim.inode;
 }
 
-// Claims of this process. Its lock files are removed when the process exits normally. If it is
-// killed, a file remains, but it is no longer locked.
+// Folders claimed by this process. The lock files are removed when the process exits normally. If
+// the process is killed, they remain, but are no longer locked.
 struct Claims {
   std::vector<Claim> list;
   const pid_t owner = getpid();
@@ -100,7 +100,8 @@ FolderClaim claim_folder(const std::string &folder)
       }
       result.warning = "the file system of '" + folder + "' has no locks (" + strerror(errno) +
                        "): a second run could write there at the same time";
-    } else if (!same_file(claim)) {    // its owner has exited and removed it in the meantime
+    } else if (!same_file(claim)) {    // in the meantime, the owner of the file has exited and
+                                       // removed it
       close(descriptor);
       continue;
     }

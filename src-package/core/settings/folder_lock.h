@@ -13,9 +13,9 @@ struct FolderClaim {
   std::string warning;      // set if the file system does not support locks
 };
 
-// Claims `folder` for this process; a repeated claim also succeeds. The lock is on the file
+// Claims `folder` for this process. A repeated claim also succeeds. The lock applies to the file
 // `.writer` in the folder, which contains the name of the process. The system releases the lock
-// however the process ends.
+// regardless of how the process ends.
 FolderClaim claim_folder(const std::string &folder);
 
 }    // namespace bearing

@@ -36,7 +36,7 @@ std::string list_of(const Parts &parts)
   return list.empty() ? "none" : list;
 }
 
-// The parts of the models that are not left out.
+// Set of the parts of the models that have not been left out.
 class Choice {
  public:
   Choice(const Parts &parts, const std::string &without) : parts_(parts)
@@ -64,7 +64,7 @@ class Choice {
   std::set<std::string> out_;
 };
 
-// Returns the keywords of the film in the gap, its damping and its thinning.
+// Returns the keywords for the film in the gap, its damping, and its thinning by inlet shear.
 std::string gap_words(const ModelChoice &of, const Choice &with, const OilWords &oil)
 {
   const std::string thins = oil.at("temperature_viscosity") + " " + oil.at("oil_conductivity");
@@ -92,7 +92,7 @@ std::string full_words(const ModelChoice &of, const Choice &with, const OilWords
   const double starved = with.has("starvation"),
                rolling = with.has("rolling") * (starved * kind.starvation + (1.0 - starved));
   const std::string inlet = starved && kind.inlet ? " rolling_inlet " + digits(kind.inlet) : "";
-  // asperities use the friction coefficient of the film
+  // with asperities, this is the friction coefficient of the asperity contacts
   const std::string boundary = digits(0.05 + 0.07 * with.has("asperities"));
   return "friction mixed " + boundary + " 0.05 asperity_law clarke " + slip + " rolling " +
          oil->at("temperature_viscosity") + " " + oil->at("oil_conductivity") + " " +
@@ -100,7 +100,7 @@ std::string full_words(const ModelChoice &of, const Choice &with, const OilWords
          with.share("drag", kind.share) + inlet + gap_words(of, with, *oil);
 }
 
-// Throws an error if the lubricant does not have the oil data that the models need.
+// Throws an error if the lubricant lacks oil data that the models need.
 void require(const OilWords &oil, const std::string &models)
 {
   Parts needed = {"temperature_viscosity", "oil_conductivity"};
@@ -141,8 +141,8 @@ ContactModel contact_model(const ModelChoice &of, const OilWords *oil,
   const bool full = of.models == "full" || of.models == "eyring", film = of.models == "film",
              paper = of.models == "paper";
   ContactModel model;
-  // otherwise the vibration of a cage that drives balls would limit the step; in the contacts of a
-  // cage, 1 um corresponds to 0.4 N
+  // without this factor, the vibration of a cage that drives balls would limit the step; in the
+  // contacts of a cage, 1 um corresponds to 0.4 N
   model.cage_tolerance_share = full ? 1000.0 : film ? 100.0 : 1.0;
   model.estimate = !paper;    // records with `models paper` must remain bitwise identical
   if (of.models == "none") return model;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Converts models of contacts that are given by name to the keywords of pair_style bearing/ehd or
-// bearing/hertz that select them. The parts of each model are listed in docs/pair_bearing.
-// Independent of the host.
+// Converts the name of a contact model to the keywords of pair_style bearing/ehd or bearing/hertz
+// that select it. The parts of each model are listed in docs/pair_bearing. This does not depend on
+// the host.
 #ifndef BEARING_MODEL_WORDS_H
 #define BEARING_MODEL_WORDS_H
 
@@ -17,18 +17,20 @@ struct DataError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-typedef std::map<std::string, std::string> OilWords;    // data by name, as text
+typedef std::map<std::string, std::string> OilWords;    // maps the name of each datum to its value
+                                                        // as text
 
 struct ModelChoice {
   std::string models = "full";     // paper, film, full, eyring or none
   std::string without = "none";    // parts to leave out, joined by +
   std::string gap_film = "power", inlet_shear = "murch", spin_law = "closed";
   std::string lubrication = "bath";    // kind of lubrication (core/laws/lubrication.h)
-  double oil_level = 0.5;              // of a bath above the lowest raceway, in ball diameters
+  double oil_level = 0.5;              // level of an oil bath above the lowest raceway, in ball
+                                       // diameters
 };
 
-// Bearing to which a ModelChoice is applied: radii of pitch circle and balls (m), bore and outside
-// diameter (m, 0 if unknown), nominal contact angle, and speed (rpm).
+// Bearing to which a ModelChoice is applied: the radii of the pitch circle and the balls (m), the
+// bore and outside diameters (m, 0 if unknown), the nominal contact angle, and the speed (rpm).
 struct LubricatedBearing {
   double pitch_radius = 1.0, ball_radius = 1.0, bore = 0.0, outside = 0.0, contact_angle = 0.0;
   double rpm = 0.0;
@@ -36,7 +38,7 @@ struct LubricatedBearing {
 
 // Parameters of rolling resistance and drag for a kind of lubrication.
 struct LubricationWords {
-  double starvation = 1.0, inlet = 0.0, share = 0.0;    // phi_rs; in semi-axes b; X
+  double starvation = 1.0, inlet = 0.0, share = 0.0;    // phi_rs; inlet length in semi-axes b; X
 };
 // The viscosity of the oil is in Pa s and its density in kg/m^3. Throws DataError for an unknown
 // kind of lubrication.
@@ -48,11 +50,12 @@ extern const std::vector<std::string> model_names;
 struct ContactModel {
   std::string words;                    // keywords of the pair style
   double cage_tolerance_share = 1.0;    // tolerance of cage balls relative to that of other bodies
-  bool estimate = true;                 // control implicit steps by error estimates, not bounds
+  bool estimate = true;                 // control implicit steps by error estimates instead of
+                                        // bounds
 };
 
-// `oil` is null for dry contacts. Throws DataError for parts that the models do not have and for
-// data that are missing for the oil.
+// `oil` is null for dry contacts. Throws DataError if a part is not in the models or if data for
+// the oil are missing.
 ContactModel contact_model(const ModelChoice &, const OilWords *oil, const LubricatedBearing &);
 
 }    // namespace bearing

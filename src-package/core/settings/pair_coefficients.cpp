@@ -237,11 +237,11 @@ bool PairCoefficients::smooth_friction(double creep)
   return changed;
 }
 
-// A ball is a neighbour of a ring if it touches its groove or has passed beyond it by up to half a
+// A ball is a neighbour of a ring if it touches the groove or has moved beyond it by up to half a
 // ball radius. Ghosts are needed only up to that distance. Spheres touch at the sum of their radii.
 double PairCoefficients::cutoff(int i, int j) const
 {
-  // balls of one type are neighbours, so that overlapping balls can be rejected at the start
+  // balls of the same type are neighbours, so that overlapping balls can be rejected at the start
   if (i == j && is_ball(i)) return 2.0 * sizes_.largest[i];
   if (spheres(i, j) || grains(i, j)) return sizes_.largest[i] + sizes_.largest[j];
   const RacewayPhysics *p = raceway(j, i);
@@ -296,8 +296,9 @@ bool PairCoefficients::is_there(const GrooveName &of) const
   return sizes_.count[of.ball] > 0 || sizes_.count[of.ring] > 0;
 }
 
-// Returns an error in the sizes of balls and groove, or "" if there is none. The radius and the
-// mass of the balls are those of the atoms; all balls of a type have the same size.
+// Returns a message about an error in the sizes of the balls and the groove, or "" if there is
+// none. The radius and the mass of the balls are those of the atoms; all balls of a type have the
+// same size.
 std::string PairCoefficients::wrong_size(const GrooveName &of, const RacewayPhysics &p) const
 {
   const double R = sizes_.largest[of.ball], smallest = sizes_.smallest[of.ball];

@@ -13,13 +13,14 @@
 
 namespace bearing {
 
-// Sizes of the atoms of each type, over all ranks.
+// Sizes of the atoms of each type on all ranks.
 struct TypeSizes {
   std::vector<double> smallest, largest, mass;    // m, smallest and largest radii; kg, largest mass
   std::vector<int> count;
 };
 
-// Reads one keyword of a contact of grains. Returns false if the next word is not such a keyword.
+// Reads one keyword that describes contacts between grains. Returns false if the next word is not
+// such a keyword.
 bool take_grain_keyword(Arguments &, raceway::GrainLaw &);
 
 class PairCoefficients {
@@ -37,12 +38,12 @@ class PairCoefficients {
   // or pair_coeff I J sphere E1 nu1 E2 nu2 [printed], or pair_coeff BALL CAGE cage,
   // or pair_coeff I J grain stiffness K restitution E friction MU
   void read_coeff(Arguments &, int types);
-  // Derives the constants of the raceways. Returns the message of an error in raceways or atoms, or
-  // "".
+  // Derives the constants of the raceways. Returns a message about an error in raceways or atoms,
+  // or "" if there is none.
   std::string prepare(const TypeSizes &);
-  // Does the same for coefficients that were read again during a run.
+  // Does the same for coefficients that have been read again during a run.
   std::string prepare_again();
-  // Sets the thermal strains of the raceways and balls of a ball type (Raceway::grow).
+  // Sets the thermal strains of the balls of a type and of their raceways (Raceway::grow).
   void grow(int ball_type, double inner_ring, double balls, double outer_ring);
 
   bool lubricated() const { return with_film_; }
@@ -59,14 +60,15 @@ class PairCoefficients {
   // Returns the sides on which a ball type has a raceway: 1 for inner, 2 for outer, or their sum.
   int sides_of(int ball_type) const;
   bool any_raceway() const { return !raceways_.empty(); }
-  // Returns a groove, by its index, of a ring type for a ball type, or null if there is none.
+  // Returns the groove with the given index in a ring type for a ball type, or null if there is
+  // none.
   const raceway::RacewayPhysics *raceway(int ball_type, int ring_type, int groove = 0) const;
   // Return the raceways of a ring type and of a ball type.
   std::vector<const raceway::RacewayPhysics *> raceways_of(int ring_type) const;
   std::vector<const raceway::RacewayPhysics *> raceways_under(int ball_type) const;
   bool many_grooves() const;    // whether at least one ring has two grooves for a ball
-  // Returns the radius (m) of the circle midway between both raceways of the balls on this ring, or
-  // 0 if the type is not a ring.
+  // Returns the radius (m) of the circle midway between the two raceways of the balls on this ring,
+  // or 0 if the type is not a ring.
   double pitch_radius(int ring_type) const;
   bool any_spheres() const { return !spheres_.empty(); }    // balls touch cage balls or one another
   const Spheres *spheres(int type_1, int type_2) const;     // null if there are none
@@ -77,10 +79,10 @@ class PairCoefficients {
   // Replaces tangential springs by Coulomb's law with this creep. Returns true if any raceway has a
   // spring.
   bool smooth_friction(double creep);
-  // Returns the distance (m) between centres below which two types are neighbours, or 0 if they do
-  // not interact.
+  // Returns the distance (m) between the centres below which atoms of two types are neighbours, or
+  // 0 if the types do not interact.
   double cutoff(int type_1, int type_2) const;
-  double reach() const;    // m, largest distance between the centres of a ball and its ring
+  double reach() const;    // largest distance between the centres of a ball and its ring, m
 
  private:
   struct GrooveName {

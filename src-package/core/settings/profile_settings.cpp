@@ -48,8 +48,8 @@ Wave read_wave(Arguments &args)
   return w;
 }
 
-// Reads lines "azimuth depth" in rad and m, evenly spaced over one turn, in which # starts a
-// comment.
+// Reads lines of the form "azimuth depth" (rad, m), which must be evenly spaced over one turn. #
+// starts a comment.
 PeriodicCurve read_table(Arguments &args)
 {
   const std::string name = args.word("file");
@@ -111,14 +111,14 @@ void read_ball(Arguments &args, ProfileSettings &s)
 
 }    // namespace
 
-// Of the variables of a deck, flaw_inner and flaw_outer are profiles of raceways, and flaw_ball is
-// a profile of balls, by default of the first ball. The last keyword, flawed_ball, specifies the
-// numbers of these balls.
+// Among the deck variables, flaw_inner and flaw_outer specify profiles of raceways, and flaw_ball
+// specifies a profile of balls, by default of the first ball. The last keyword, flawed_ball,
+// specifies the numbers of these balls.
 ProfileSettings ProfileSettings::read(Arguments &args, int most_grooves,
                                       std::vector<std::string> &said)
 {
   ProfileSettings s;
-  if (args.more() && args.next() == "flawed_ball") args.skip_rest();    // there is no flaw
+  if (args.more() && args.next() == "flawed_ball") args.skip_rest();    // the balls have no flaw
   if (!args.more()) return s;
   const bool of_variable = args.take("flaw_ball");
   if (of_variable) s.flawed = {"1"};

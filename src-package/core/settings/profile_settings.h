@@ -22,8 +22,8 @@ struct ProfileSettings {
              ball.pits.empty() && ball.waves.empty() && ball.tables.empty());
   }
 
-  // Reads all words of a fix bearing/profile. `most_grooves` is the largest number of grooves per
-  // ring; `said` receives only the words of the profile.
+  // Reads all words of a fix bearing/profile command. `most_grooves` is the largest number of
+  // grooves per ring. Only the words of the profile are written to `said`.
   static ProfileSettings read(Arguments &, int most_grooves, std::vector<std::string> &said);
 };
 

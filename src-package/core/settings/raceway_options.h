@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Keywords for a raceway contact. In pair_style they are the defaults for all raceways; in
-// pair_coeff they apply to one pair of types.
+// Reads the keywords for a raceway contact. In pair_style they set the defaults for all raceways;
+// in pair_coeff they apply to one pair of types.
 #ifndef BEARING_RACEWAY_OPTIONS_H
 #define BEARING_RACEWAY_OPTIONS_H
 
@@ -14,7 +14,7 @@ namespace bearing {
 // stribeck) are also accepted.
 bool read_raceway_keyword(Arguments &args, bool with_film, raceway::RacewayPhysics &p);
 
-// Returns the keywords for error messages.
+// Returns a list of the keywords for use in error messages.
 std::string raceway_keywords(bool with_film);
 
 }    // namespace bearing

@@ -14,8 +14,8 @@ namespace {
 const std::string mark = "bearing/checkpoint sum ";
 constexpr size_t hex_digits = 8;
 
-// The file with zeros in place of the sum, and the position of the sum, which is npos if there is
-// none.
+// The content of the file with zeros in place of the sum, and the position of the sum, which is
+// npos if the file contains none.
 struct Content {
   std::string bytes, sum;
   size_t place = std::string::npos;

@@ -2,9 +2,9 @@
 // Checksum of a whole restart file, stored at a position that fix bearing/checkpoint reserves in
 // it.
 //
-// The host's format has no checksum, so a flipped bit would result in another bearing. The position
-// contains `mark` and eight characters. The checksum (core/numbers/checksum.h) is computed for the
-// file with zeros in place of these eight characters.
+// The host's format has no checksum, so a flipped bit would silently change the bearing. The
+// reserved position contains `mark` and eight characters. The checksum (core/numbers/checksum.h) is
+// computed for the file with zeros in place of these eight characters.
 #ifndef BEARING_RESTART_SUM_H
 #define BEARING_RESTART_SUM_H
 
@@ -19,8 +19,8 @@ std::string empty_sum();
 // fails.
 bool write_sum(const std::string &file);
 
-// Returns true if the sum is correct. Returns false also if the file cannot be read or has no
-// position for the sum.
+// Returns true if the sum is correct, and false if it is not, if the file cannot be read, or if the
+// file has no position for the sum.
 bool has_right_sum(const std::string &file);
 
 }    // namespace bearing

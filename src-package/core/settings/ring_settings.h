@@ -14,7 +14,7 @@ namespace bearing {
 // Loads of a radial bearing as specified by the words `load` and `axial`, for a record.
 struct StatedLoads {
   bool stated = false;
-  double load = 0.0, azimuth = 0.0, axial = 0.0;    // N, rad, N
+  double load = 0.0, azimuth = 0.0, axial = 0.0;    // in N, rad and N
   double moment[2] = {0.0, 0.0};                    // N m, constant moments
   double unbalance = 0.0;                           // kg m
   double speed = NAN;                               // rad/s; NAN unless it is imposed and constant
@@ -24,7 +24,8 @@ struct RingSettings {
   raceway::RingProgram program;    // common program of all rings, without targets and loads
   DrivenValue value[raceway::RingProgram::N_VALUE];
   StatedLoads stated;
-  std::string holder;    // group of the ring to which the supports are attached, or empty
+  std::string holder;    // group of the ring to which the other ends of the supports are attached,
+                         // or empty
 };
 
 // Mass and inertia of a ring, which are used if the words do not specify them; 0 if unknown.
@@ -36,7 +37,7 @@ struct RingBody {
 // Reads the settings keyword by keyword.
 class RingWords {
  public:
-  // If `each` is true, values may differ from ring to ring.
+  // If `each` is true, values may differ between rings.
   RingWords(Arguments &args, const raceway::LabAxes &axes, RingSettings &to, bool each);
   // Reads a keyword and its values. Returns false if the next word is not a keyword.
   bool take();
@@ -63,8 +64,8 @@ class RingWords {
   raceway::LabAxes axes_;
   RingSettings &to_;
   bool each_;
-  int number_[3];    // indices of the lab axes, of which the third is the bearing axis
-  // free_loaded_: `free loaded` frees the degrees of freedom that have a load
+  int number_[3];    // indices of the axes of the lab frame, of which the third is the bearing axis
+  // free_loaded_: `free loaded` was given, which frees the degrees of freedom that carry a load
   bool free_loaded_ = false, loads_ = false, springs_ = false;
   double load_ = 0.0, azimuth_ = -0.5 * 3.14159265358979323846, axial_ = 0.0;          // N, rad, N
   double housing_mass_ = 2.0, housing_frequency_ = 4000.0, housing_damping_ = 0.04;    // kg, Hz

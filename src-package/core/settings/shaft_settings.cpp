@@ -31,8 +31,8 @@ bool ShaftSettings::take(Arguments &args)
   return true;
 }
 
-// Returns the unbalance with these components. Unbalances are added by components, because they
-// rotate together.
+// Returns the unbalance that has these components. Unbalances are added component by component,
+// because they rotate together.
 static raceway::Unbalance polar(double x, double y) { return {std::hypot(x, y), std::atan2(y, x)}; }
 
 void ShaftSettings::add_unbalances(double about, RingProgram &p) const

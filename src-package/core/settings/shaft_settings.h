@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Settings of a shaft in addition to those of a ring, namely its centre, and loads and unbalances
-// at positions along its axis.
+// Settings that a shaft has in addition to those of a ring: the position of its centre, and loads
+// and unbalances that act at positions along its axis.
 #ifndef BEARING_SHAFT_SETTINGS_H
 #define BEARING_SHAFT_SETTINGS_H
 
@@ -15,7 +15,7 @@ namespace bearing {
 struct ShaftSettings {
   struct Load {
     double at;               // m, along the bearing axis
-    DrivenValue force[3];    // N, along the lab axes
+    DrivenValue force[3];    // N, along the axes of the lab frame
   };
   struct Unbalance {
     double at;    // m
@@ -30,11 +30,11 @@ struct ShaftSettings {
 
   // Reads a keyword and its values. Returns false if the next word is not such a keyword.
   bool take(Arguments &);
-  // Adds the unbalances and their moments about the centre `about` (m).
+  // Adds the unbalances and their first moments about the centre at `about` (m).
   void add_unbalances(double about, raceway::RingProgram &) const;
   // Returns the unbalances that act on each mode of a flexible shaft.
   std::vector<raceway::Unbalance> unbalances_of_modes() const;
-  // Reads the file with mass, inertia and centre.
+  // Reads the file and takes the mass, the inertia and the centre from it.
   void read_file(const Arguments &, raceway::RingProgram &);
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Values with 15 digits, as written by the formulas of the hosts. A number is therefore bitwise
-// identical whether it is computed by a deck or by a command.
+// Rounds values to 15 digits, as the formulas of the hosts do. A number is therefore bitwise
+// identical whether it is computed in a deck or by a command.
 #ifndef BEARING_WRITTEN_H
 #define BEARING_WRITTEN_H
 

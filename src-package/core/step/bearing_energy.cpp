@@ -10,16 +10,16 @@ void BearingIntegrator::keep_energy(bool yes)
   bodies_.balanced.assign(yes ? bodies_.n_contacts : 0, {});
 }
 
-// Adds the work of loads and drives and the losses in the contacts, i.e. their powers at the end of
-// a stage multiplied by the weight of the stage (s).
+// Adds the work done by loads and drives and the losses in the contacts. Each is the power at the
+// end of a stage multiplied by the weight of the stage (s).
 void BearingIntegrator::add_energy(const Stage &stage, double weight, double s)
 {
   system_.start(stage.h, false);
   forces_.evaluate(stage);
   system_.add_border(stage.h, stage.follows(), s, false);
   double power = -power_of_residual(stage.h);
-  // if only the dampers are implicit, free degrees of freedom move at the old velocity for half a
-  // step
+  // if only the dampers are implicit, free degrees of freedom move at the old velocity during half
+  // of the step
   const double old_share = stage.dampers_only ? 0.5 : 0.0;
   double lost = forces_.power_lost();
   loads_.resize(bodies_.border.size());
@@ -31,7 +31,8 @@ void BearingIntegrator::add_energy(const Stage &stage, double weight, double s)
     lost += c.damper * v * v;
   }
   for (const RingBody &r : bodies_.rings)
-    if (!r.carried) power -= bodies_.power_on_drives(r);    // a carried ring acts on its shaft
+    if (!r.carried) power -= bodies_.power_on_drives(r);    // the drives of a carried ring act on
+                                                            // its shaft
   if (bodies_.heavy) power += power_of_gravity(old_share);
   for (const RingBody &r : bodies_.rings)
     if (r.program.supported) {
@@ -46,9 +47,9 @@ void BearingIntegrator::add_energy(const Stage &stage, double weight, double s)
 // Returns the power (W) of the residual of the last correction in a stage of h seconds. Corrections
 // stop once positions have converged. The friction at these velocities then differs from the
 // friction that moved the bodies, and the drive must supply the power of the latter. The difference
-// is a fraction of the losses, which are small compared with the power exchanged between ring and
-// balls. The powers on the bodies and on the free degrees of freedom of the rings are equal except
-// for the slip at contacts.
+// is a fraction of the losses, which are small compared with the power exchanged between the ring
+// and the balls. The powers on the bodies and on the free degrees of freedom of the rings are equal
+// except for the slip at contacts.
 double BearingIntegrator::power_of_residual(double h) const
 {
   Lane of_bodies = {};
@@ -62,7 +63,8 @@ double BearingIntegrator::power_of_residual(double h) const
   return power / h;
 }
 
-// Returns the power of gravity on the bodies, W; the old velocities have the weight old_share.
+// Returns the power of gravity on the bodies, W, where the old velocities have the weight
+// old_share.
 double BearingIntegrator::power_of_gravity(double old_share) const
 {
   Lane power = {};
@@ -79,8 +81,8 @@ const BearingIntegrator::Energy &BearingIntegrator::energy()
   return energy_;
 }
 
-// Returns the energy in the present state, J: the kinetic energy of bodies and coordinates, and the
-// elastic energy of supports, modes and contacts.
+// Returns the energy in the current state, J, i.e. the kinetic energy of bodies and coordinates and
+// the elastic energy of supports, modes and contacts.
 double BearingIntegrator::stored_energy()
 {
   Lane motion = {};

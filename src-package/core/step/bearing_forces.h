@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forces in one bearing for the present state of its bodies, optionally with derivatives: raceway
-// contacts (raceway_contacts.cpp), cage balls (cage_contacts.cpp), and one-piece cages
-// (cage_ring_forces.cpp).
+// Computes the forces in one bearing for the current state of its bodies, optionally with
+// derivatives: raceway contacts (raceway_contacts.cpp), cage balls (cage_contacts.cpp), and
+// one-piece cages (cage_ring_forces.cpp).
 #ifndef RACEWAY_BEARING_FORCES_H
 #define RACEWAY_BEARING_FORCES_H
 
@@ -12,12 +12,13 @@ namespace raceway {
 class BearingSystem;
 
 enum class Evaluate {
-  only,          // forces on rings, power and energy; without `looks` also the right-hand side
+  only,          // forces on rings, power and energy; if there are no `looks`, also the right-hand
+                 // side
   residual,      // forces on rings, and the right-hand side of the linear system
   derivatives    // as `residual`, plus the matrix of the linear system
 };
 
-// Reason for which a step has no result.
+// Reason why a step has no result.
 enum class Failure {
   none,
   not_a_number,      // a velocity is NaN or infinite
@@ -28,11 +29,12 @@ enum class Failure {
   not_converged      // maximum number of corrections reached
 };
 
-// Results for four contacts. The vectors of the state are in the lab frame.
+// Results for four contacts. The vectors of the state refer to the lab frame.
 struct alignas(32) ContactLook {
   ContactStateT<Lane> state;
-  LaneMask live;    // contacts with a state; all others have motions only, if gaps are requested
-  Lane orbit;       // rad/s, speed of the ball about the ring's axis, also without contact
+  LaneMask live;    // contacts with a state; if gaps are requested, all others have motions only
+  Lane orbit;       // rad/s, speed of the ball about the ring's axis, also set if there is no
+                    // contact
 };
 
 // Overlap assumed for an open contact whose derivatives are needed, m.
@@ -43,14 +45,15 @@ struct Stage {
   double h = 0.0;               // s, length of the stage
   bool dampers_only = false;    // positions are given: springs have no derivative
   Evaluate evaluate = Evaluate::only;
-  ContactLook *looks = nullptr;    // with `only`: results by group of contacts, filled together
-                                   // with the forces on rings
+  ContactLook *looks = nullptr;    // with `only`: results for each group of contacts, which are
+                                   // filled in together with the forces on rings
   bool keep = false;               // with `derivatives`: call BearingSystem::keep() after the
                                    // raceways
-  bool kept = false;    // with `derivatives`: kept raceways, updated for the last correction
-  bool gaps = false;    // also evaluate surfaces that do not touch
-  // Gaps (m) at balls and at cage balls up to which derivatives are evaluated as for a closed
-  // contact. Without these limits a body at rest would jump out of its groove.
+  bool kept = false;    // with `derivatives`: use the kept raceways, updated for the last
+                        // correction
+  bool gaps = false;    // also evaluate contacts whose surfaces do not touch
+  // Largest gaps (m) at balls and at cage balls for which derivatives are evaluated as for a closed
+  // contact. Without these derivatives, a body at rest would jump out of its groove.
   double close = 0.0, close_cage = 0.0;
 
   double follows() const { return dampers_only ? 0.0 : h; }    // s, time over which positions
@@ -66,18 +69,18 @@ class BearingForces {
   // (kept_follow.h). Returns false if a state changes by more than the contact's spring force over
   // the distance `exact` (m).
   bool follow(double exact);
-  // Returns the longest step (s) from the present state that the profiles of raceways and balls
-  // allow.
+  // Returns the longest step (s) from the current state that is permitted by the profiles of
+  // raceways and balls.
   double longest_step() const;
 
-  // Returns the largest overlap of a ball and a raceway at the start of the step, m; 0 if there is
-  // no contact.
+  // Returns the largest overlap between a ball and a raceway at the start of the step, m, or 0 if
+  // there is no contact.
   double largest_overlap() const;
 
   int body() const { return body_; }                           // body that caused the failure, or
                                                                // -1
-  double power_lost() const { return power_lost_; }            // W, in contacts
-  double contact_energy() const { return contact_energy_; }    // J, elastic
+  double power_lost() const { return power_lost_; }            // power dissipated in contacts, W
+  double contact_energy() const { return contact_energy_; }    // elastic energy of contacts, J
   // Returns the change (J) in elastic energy since the start of the step due to entrainment speeds
   // and contact angles: thicker films load the contacts, and no force does work when a contact
   // angle changes.
@@ -88,8 +91,8 @@ class BearingForces {
   Failure all_raceways(const Stage &);
   double longest_step_of_balls() const;
   template <class... Families> RACEWAY_INLINE bool fused(const Stage &, Failure &);
-  // Evaluates smooth raceways with one of the laws in inputs/models; returns false for any other
-  // law.
+  // Evaluates smooth raceways whose law is one of those in inputs/models. Returns false for any
+  // other law.
   bool paper_raceways(const Stage &, Failure &);
   bool full_raceways(const Stage &, Failure &);
   // Evaluates raceways, with or without profiles, with any set of parts.
@@ -112,8 +115,8 @@ class BearingForces {
   ProfiledContactT<Lane> on_;              // four contacts on a raceway with a profile
   BallSlopesT<Lane> turned_;               // slopes of balls with a profile
   std::vector<int> touching_, touched_;    // closed pockets now and at the last factorisation
-  std::vector<Place> place_;               // lab frame, indexed by slot; only for bodies with
-                                           // pockets
+  std::vector<Place> place_;               // in the lab frame, indexed by slot; only for bodies
+                                           // with pockets
   std::vector<char> in_pocket_;            // by group
 };
 

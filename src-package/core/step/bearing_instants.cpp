@@ -99,7 +99,7 @@ void BearingInstants::put_back()
   std::swap(b_.kept, kept_end_);
 }
 
-// Moves all bodies to the fraction s of the internal step.
+// Moves all bodies to their positions at the fraction s of the internal step.
 RACEWAY_LANES void BearingInstants::move(double h, double s)
 {
   const Cubic at(s, h);
@@ -124,7 +124,7 @@ RACEWAY_LANES void BearingInstants::move(double h, double s)
       b_.kept[k].now[m] = b_.kept[k].from[m] + (kept_end_[k].now[m] - b_.kept[k].from[m]) * s;
 }
 
-// s is a fraction of the host's step.
+// Evaluates instant k, which is at the fraction s of the host's step.
 RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
 {
   Stage stage;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // States of a bearing within a step, for output that is sampled faster than the time step.
-// Positions follow the cubic through both ends of the internal step (cubic.h), velocities and
-// contact states are interpolated linearly, and forces are evaluated as in the step itself. These
-// states do not affect the motion.
+// Positions follow the cubic that matches both ends of the internal step (cubic.h), velocities and
+// contact states are interpolated linearly, and forces are evaluated in the same way as in the step
+// itself. These states do not affect the motion.
 #ifndef RACEWAY_BEARING_INSTANTS_H
 #define RACEWAY_BEARING_INSTANTS_H
 
@@ -37,15 +37,16 @@ class BearingInstants {
 
   void want(const Instants &);
   // Results at instant k (from 1) of the last host step; other indices are those of the model.
-  void contacts(int k, bool whole_states, std::vector<ContactAtInstant> &) const;    // by groove
+  void contacts(int k, bool whole_states, std::vector<ContactAtInstant> &) const;    // indexed by
+                                                                                     // groove
   BodyPose body(int k, int body) const;
   const RingAtInstant &ring(int k, int ring) const
   {
     return rings_[(k - 1) * b_.rings.size() + ring];
   }
 
-  // Evaluates the instants within a step of h seconds, from the fraction s0 to the fraction s1 of
-  // the host's step, before the step is accepted.
+  // Evaluates the instants within a step of h seconds before the step is accepted. The step extends
+  // from the fraction s0 to the fraction s1 of the host's step.
   Failure pass(double h, double s0, double s1);
 
  private:

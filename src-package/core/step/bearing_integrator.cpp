@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Performs the sequence of operations of a step; the energy of a step is computed in
+// Performs the sequence of operations in a step. The energy of a step is computed in
 // bearing_energy.cpp.
 #include "bearing_integrator.h"
 
@@ -7,11 +7,12 @@
 
 namespace raceway {
 
-static const double gamma_2 = 1.0 - std::sqrt(0.5);     // length of a stage divided by h, order 2
+static const double gamma_2 = 1.0 - std::sqrt(0.5);     // length of a stage divided by h, for order
+                                                        // 2
 static const double beyond_2 = 1.0 + std::sqrt(2.0);    // (1 - gamma)/gamma
 // Position error of the method for a velocity that grows with the square of time, divided by h
 // times the second divided difference of the velocities at 0, gamma h and h. For a free vibration,
-// whose first stage has a second-order error, the error is 6.8 times as large.
+// in which the error of the first stage is of second order, the error is 6.8 times as large.
 static const double bend_2 = gamma_2 + (1.0 - gamma_2) * gamma_2 * gamma_2 - 1.0 / 3.0;
 
 static BearingIntegrator::Outcome &failed(BearingIntegrator::Outcome &o, Failure why, int body = -1)
@@ -49,7 +50,7 @@ BearingIntegrator::Outcome BearingIntegrator::step(const Settings &asked, double
   }
   pending_ = Energy();
   present_ = {h, s0, s1};
-  if (s0 == 0.0) remains_ = 1.0;    // must not depend on earlier steps of the host
+  if (s0 == 0.0) remains_ = 1.0;    // it must not depend on earlier steps of the host
   bodies_.start();
   if (set.dampers_only) {
     const double middle = 0.5 * (s0 + s1);
@@ -74,8 +75,8 @@ BearingIntegrator::Outcome BearingIntegrator::step(const Settings &asked, double
   return o;
 }
 
-// Returns mass divided by stiffness for the slowest contact between a ball and a cage ball, kg
-// m^1.5/N.
+// Returns the mass divided by the stiffness for the slowest contact between a ball and a cage ball,
+// kg m^1.5/N.
 static double slowest_contact(const BearingModel &model)
 {
   double slowest = 0.0;
@@ -89,14 +90,14 @@ BearingIntegrator::BearingIntegrator(const BearingModel &model) :
 {
 }
 
-// The last correction of a one-piece cage may be as large as a thirtieth of its allowed error,
-// regardless of the length of the stage.
+// The last correction of a one-piece cage may be up to a thirtieth of its allowed error, regardless
+// of the length of the stage.
 static constexpr double of_ring = 30.0;
 
 // Returns the weight of a cage ball's last correction in a stage of h seconds. The tolerance of the
 // correction is a tenth of the tolerance of the error. The error that remains in a contact force
 // moves the cage ball by an amount that grows with the square of the stage's length. The tolerance
-// is therefore even finer if the stage is longer than an impact with an overlap equal to the
+// is therefore tightened further if the stage is longer than an impact with an overlap equal to the
 // tolerance, which lasts half a period of the contact.
 double BearingIntegrator::cage_correction(const Settings &set, double h) const
 {
@@ -108,9 +109,9 @@ double BearingIntegrator::cage_correction(const Settings &set, double h) const
   return set.cage > finer ? finer / set.cage : 1.0;
 }
 
-// Returns a bound on all later corrections relative to the last one. Newton's method converges, so
-// if a correction is q times the previous one, all later corrections add up to at most q/(1 - q)
-// times this correction. The result is at least 0.1.
+// Returns a bound on all later corrections relative to the last one. Because Newton's method
+// converges, all later corrections add up to at most q/(1 - q) times the last one if that was q
+// times the previous one. The result is at least 0.1.
 static double remaining(double q) { return q < 0.5 ? std::max(0.1, q / (1.0 - q)) : 1.0; }
 
 bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Outcome &o)
@@ -167,8 +168,8 @@ bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Out
       return true;
     }
 
-    // the last derivatives suffice as long as the residual is small and each correction is at most
-    // a tenth of the previous one; otherwise a contact may open or close
+    // the last derivatives suffice as long as the residual is small and each correction is less
+    // than a tenth of the previous one; otherwise a contact may open or close
     fresh = stage.kept || !(last < 0.1 * before && last < 3.0 * set.newton);
     before = last;
   }
@@ -178,7 +179,7 @@ bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Out
   return true;
 }
 
-// Moves all bodies to the end of the stage at the present velocities. Returns false if a body turns
+// Moves all bodies to the end of the stage at the current velocities. Returns false if a body turns
 // too far for one stage.
 RACEWAY_LANES bool BearingIntegrator::move(double h, double s, bool dampers_only)
 {
@@ -199,8 +200,8 @@ RACEWAY_LANES bool BearingIntegrator::move(double h, double s, bool dampers_only
   return !any(far);
 }
 
-// Moves all bodies over h seconds, to the middle of a step or from the middle to the end. Returns
-// false if a body turns too far.
+// Moves all bodies for h seconds, either to the middle of a step or from the middle to the end.
+// Returns false if a body turns too far.
 RACEWAY_LANES bool BearingIntegrator::coast(double h, double s, bool to_end)
 {
   LaneMask far = {};
@@ -218,8 +219,8 @@ RACEWAY_LANES bool BearingIntegrator::coast(double h, double s, bool to_end)
 }
 
 // Returns the stiffness of a ring's stiffest support divided by the ring's mass, 1/s^2; if another
-// ring holds this ring, the term with the holder's mass is added. Supports of both rings to the
-// ground or to a third ring are counted at the holder, which gives a bound.
+// ring holds this ring, the term with the holder's mass is added. Supports that connect either ring
+// to the ground or to a third ring are included at the holder, so the result is a bound.
 static double stiffest(const RingProgram &p, const RingProgram *holder)
 {
   double most = 0.0;
@@ -267,7 +268,8 @@ static RACEWAY_INLINE Lane across(const Vec3L &v)
   return where(magnitude(v.x) > magnitude(v.z), magnitude(v.x), magnitude(v.z));
 }
 
-// Returns the stiffness of the stiffest ball-raceway contact at the last derivatives, N/m.
+// Returns the stiffness of the stiffest contact between a ball and a raceway when derivatives were
+// last evaluated, N/m.
 RACEWAY_LANES double BearingIntegrator::largest_stiffness() const
 {
   Lane most = {};
@@ -288,12 +290,13 @@ static constexpr double safe = 4.0;
 // (docs/fix_bearing_implicit).
 static constexpr double sudden = 0.3;
 
-// Weights of two measures: the change of velocity between the stages, and the second difference.
+// Weights of two error measures: the change of velocity between the stages, and the second
+// difference.
 struct ErrorWeights {
   double change = 1.0, bend = 0.0;
 };
 
-// Returns the larger of both weighted measures, m/s.
+// Returns the larger of the two weighted measures, m/s.
 template <class T>
 static RACEWAY_INLINE T changed(const ErrorWeights &w, const T &from, const T &first, const T &end)
 {
@@ -303,12 +306,12 @@ static RACEWAY_INLINE T changed(const ErrorWeights &w, const T &from, const T &f
   return where(bend > change, bend, change);
 }
 
-// Converts the position error of a ball to an error of its load, in a bearing with a one-piece
-// cage, whose pockets throw balls outside the loaded arc back and forth between the raceways. A
-// position error changes the load in proportion to the stiffness of the contacts, but by no more
-// than the load itself. `share` is the stiffness divided by the largest stiffness. The load varies
-// as the cube of `share`; the largest load is `full` (m) times two thirds of the largest stiffness.
-// The error of a free ball may be 200 times the error of a loaded ball.
+// Converts the position error of a ball to an error of its load. This is used in bearings with a
+// one-piece cage, whose pockets throw balls outside the loaded arc back and forth between the
+// raceways. A position error changes the load in proportion to the stiffness of the contacts, but
+// by no more than the load itself. `share` is the stiffness divided by the largest stiffness. The
+// load varies as the cube of `share`; the largest load is `full` (m) times two thirds of the
+// largest stiffness. The error of a free ball may be 200 times the error of a loaded ball.
 static RACEWAY_INLINE Lane of_load(const Lane &share, const Lane &off, double full)
 {
   const Lane by_stiffness = share * off, by_load = share * share * share * (full / 1.5),
@@ -324,7 +327,7 @@ RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) con
   const double full = drift ? 0.0 : light * largest_stiffness();
   const ErrorWeights weights =
       set.estimate ? ErrorWeights{sudden, safe * bend_2 / gamma_2} : ErrorWeights();
-  // m/s, velocity error equivalent to the largest overlap; 0 without a one-piece cage
+  // m/s, velocity error equivalent to the largest overlap; 0 if there is no one-piece cage
   const double whole =
       drift || bodies_.model.cages.empty() ? 0.0 : forces_.largest_overlap() / (share * h);
   Lane off = {};
@@ -354,7 +357,7 @@ RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) con
 }
 
 // Adds the correction. Its size (m) is the largest displacement of balls (normal to the rolling
-// direction), rings and shaft modes; the size for the cage is stored separately, with a weight.
+// direction), rings and shaft modes; the size for the cage is weighted and stored separately.
 RACEWAY_LANES void BearingIntegrator::apply(double h, double cage_counts, Outcome &o)
 {
   Lane off = {}, off_cage = {};

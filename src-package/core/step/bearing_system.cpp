@@ -140,7 +140,8 @@ void BearingSystem::add_coupling(const Coupling &c, double h, double follows)
       border_.a[row.first * n + column.first] += stiff * row.second * column.second;
 }
 
-// Adds the gyroscopic coupling between the two tilts of a ring, and that of a shaft's modes.
+// Adds the gyroscopic coupling between the two tilts of a ring, and the one between the modes of a
+// shaft.
 void BearingSystem::add_spins(double h, bool fresh)
 {
   const size_t n = b_.border.size();
@@ -197,7 +198,7 @@ RACEWAY_LANES void BearingSystem::factor_groups()
   }
 }
 
-// Eliminates the bodies from the border, after B has been condensed with their blocks and links.
+// Eliminates the bodies from the border after B has been condensed with their blocks and links.
 RACEWAY_LANES void BearingSystem::condense_groups()
 {
   const size_t nf = b_.columns;

@@ -3,15 +3,15 @@
 //   A_k x_k + B_k y + sum_i s_ik n_i l_i = r_k        x_k: correction of a body
 //   sum_k C_k x_k + D y                  = r_y        y: corrections of rings and shafts
 //   l_i/a_i = n_i . (x_first - x_second)              closed cage contacts
-// with s_ik = +1 for the first and -1 for the second body of link i. Blocks are eliminated first,
+// where s_ik is +1 for the first and -1 for the second body of link i. Blocks are eliminated first,
 // then links; the system is then solved for y and back-substituted, in a time proportional to the
 // number of balls. factor() stores the data for solve(), so each later correction with the same
-// derivatives costs only one right-hand side.
+// derivatives requires only one more right-hand side to be solved.
 //
 // Contacts contribute to columns B and rows C for the motions of rings. These motions are the
-// unknowns y themselves, except for rings on flexible shafts: such a ring has columns of its own,
-// and its motions follow from y through T (shaft_lift.h). The modes of a shaft therefore do not add
-// any cost per body.
+// unknowns y themselves, except for rings on flexible shafts: such a ring has separate columns, and
+// its motions follow from y through T (shaft_lift.h). The modes of a shaft therefore do not add any
+// cost per body.
 #ifndef RACEWAY_BEARING_SYSTEM_H
 #define RACEWAY_BEARING_SYSTEM_H
 
@@ -33,13 +33,14 @@ class BearingSystem {
   // `fresh` it also sets the blocks to the masses and everything else to 0.
   void start(double h, bool fresh);
   // Adds the right-hand sides of the border and, with `fresh`, the part of D that does not depend
-  // on contacts, at the fraction s of the step. Positions follow velocities over `follows` seconds.
+  // on contacts, at the fraction s of the step. Positions change with velocities for `follows`
+  // seconds.
   void add_border(double h, double follows, double s, bool fresh);
-  // Saves the residuals and, with `fresh`, the matrix due to raceways and inertia, without cages
-  // and supports.
+  // Saves the residuals and, with `fresh`, the part of the matrix that is due to raceways and
+  // inertia, without the contributions of cages and supports.
   void keep(bool fresh);
-  // Restores residuals and matrix. The residuals are updated to first order for the corrections
-  // since keep(). This is not available with a flexible shaft.
+  // Restores the residuals and the matrix. The residuals are updated to first order for the
+  // corrections made since keep(). This is not available with a flexible shaft.
   void restore();
   void add_kept();    // adds the kept right-hand sides of the border; called after add_border()
   bool keeps() const { return b_.bends.empty(); }
@@ -74,8 +75,8 @@ class BearingSystem {
   std::vector<Column> B_, C_;    // ordered by group, then by column
   DenseLU border_;
   std::vector<double> y_, forces_;    // corrections of the border, forces of the links
-  // Matrix and motions of the columns, which are those of the border or, with flexible shafts,
-  // separate.
+  // Matrix and motions of the columns. They are those of the border, unless there are flexible
+  // shafts.
   double *corner_ = nullptr, *motions_ = nullptr;
   std::vector<double> corner_apart_, motions_apart_;
   ShaftLift lift_;

@@ -48,8 +48,8 @@ static RACEWAY_INLINE void add_dyad(Lane *a, const Lane &s, const Vec3L &p, cons
     for (int k = 0; k < 3; ++k) a[6 * i + k] += rows[i] * columns[k];
 }
 
-// Evaluates contacts of cage balls on the torus rails of a ring: elastic, frictionless, critically
-// damped.
+// Evaluates contacts between cage balls and the torus-shaped rails of a ring. They are elastic,
+// frictionless and critically damped.
 RACEWAY_LANES void BearingForces::rails(const Stage &stage)
 {
   const bool only = stage.evaluate == Evaluate::only;

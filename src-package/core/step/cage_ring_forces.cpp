@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forces on a one-piece cage: balls in its pockets, the land that guides it, and churning at its
-// faces.
+// Forces on a one-piece cage: contacts with the balls in its pockets, the film at the land that
+// guides it, and churning at its faces.
 #include "bearing_forces.h"
 #include "bearing_system.h"
 
@@ -39,10 +39,10 @@ void BearingForces::cages(const Stage &stage)
   }
 }
 
-// Evaluates the contact between a ball and its pocket in the ball's frame. Through the spring and
-// damper along the normal n, the force of the wall depends on the motion of the ball's centre.
-// Through friction, which acts across n, it depends on the motion of the ball's surface at the
-// wall, which is at -R n from the centre.
+// Evaluates the contact between a ball and its pocket in the ball's frame. Because of the spring
+// and damper along the normal n, the force of the wall depends on the motion of the ball's centre.
+// Because of friction, which acts across n, it also depends on the motion of the ball's surface at
+// the wall, which is at -R n from the centre.
 void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, const CageMotion &m,
                            int body, int number)
 {
@@ -74,7 +74,8 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
   add(g.rhs + 3, local(c.ball_torque) * h);
   if (!fresh || !(c.h.growth > 0.0)) return;
   if (stage.dampers_only && c.h.force > 0.0) {
-    // ball and cage vibrate on one spring, which at most doubles its effect on either of them
+    // the ball and the cage vibrate on the same spring, which at most doubles its effect on either
+    // of them
     g.spring[i] += 2.0 * c.h.stiffness;
     g.damper[i] += c.h.damping;
     ring.spring += 2.0 * c.h.stiffness;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The slopes of a contact (core/contact/contact_slopes.h) expressed as rows of the bodies'
-// velocities.
+// Expresses the slopes of a contact (core/contact/contact_slopes.h) as matrix rows for the
+// velocities of the bodies.
 //
 // Local motions are rows that multiply the ball's velocity and spin: approach [n | 0], sliding [t |
-// R w] and [w | -R t], rotations [0 | n], [0 | t], [0 | w]. A motion of the ring has the same rows,
-// with the velocity of the ring's contact point. If L contains the slopes of the local forces with
-// respect to the local motions, the ball's block is rows^T L rows; the ring's columns and the
-// border follow from the same product. A displacement also rotates the normal along which the force
-// N acts: by 1/r per unit along the groove, by 1/s per unit across it.
+// R w] and [w | -R t], rotations [0 | n], [0 | t], [0 | w]. The rows for a motion of the ring are
+// the same, but with the velocity of the ring's contact point. If L contains the slopes of the
+// local forces with respect to the local motions, the ball's block is rows^T L rows; the ring's
+// columns and the border follow from the same product. A displacement also rotates the normal along
+// which the force N acts: by 1/r per unit of displacement along the groove, and by 1/s per unit
+// across it.
 #ifndef RACEWAY_CONTACT_ROWS_H
 #define RACEWAY_CONTACT_ROWS_H
 
@@ -16,8 +17,8 @@
 
 namespace raceway {
 
-// Directions of a contact, and its slopes multiplied by h (s), which are 0 without contact;
-// positions follow velocities over the time `follows` (s).
+// Directions of a contact, and its slopes multiplied by h (s), which are 0 if there is no contact.
+// Positions change with velocities for the time `follows` (s).
 template <int n> struct ScaledSlopes {
   Vec3L normal, along, across;    // n, t, w
   Lane slope[n][n];
@@ -42,8 +43,8 @@ RACEWAY_INLINE ScaledSlopes<n> scaled(double h, double follows, const ContactSta
   return s;
 }
 
-// Computes the ball's rows, one for each local motion; the columns are the velocity and spin of the
-// ball.
+// Computes the ball's rows, one for each local motion. The columns refer to the velocity and spin
+// of the ball.
 template <int n>
 RACEWAY_INLINE void ball_rows(const ScaledSlopes<n> &s, double R, Lane (&row)[n][6])
 {
@@ -62,8 +63,8 @@ RACEWAY_INLINE void ball_rows(const ScaledSlopes<n> &s, double R, Lane (&row)[n]
   }
 }
 
-// Computes the local forces per unit of a motion that is given by its local velocities; with
-// `displaces` they include the forces due to displacements.
+// Computes the local forces per unit of a motion that is given by its local velocities. If
+// `displaces` is true, they include the forces due to displacements.
 template <int n>
 RACEWAY_INLINE void local_forces(const ScaledSlopes<n> &s, const Lane (&motion)[n], bool displaces,
                                  Lane (&force)[n])

@@ -56,8 +56,8 @@ static inline void put_lane(int i, const ProfiledContact &one, ProfiledContactT<
   on.side[i] = one.side;
 }
 
-// Does the same for balls with profiles, along the row `path` of the azimuth in the balls' own
-// axes.
+// Does the same for balls with profiles, along the row `path` for the azimuth in the balls'
+// body-fixed axes.
 static inline void add_ball_profile(BearingSystem &system, BodyGroup &g, int group,
                                     const RingBody &ring, const Vec3L &d, const Vec3L &e,
                                     const ContactStateT<Lane> &c, const Lane &h2, const Lane &slope,

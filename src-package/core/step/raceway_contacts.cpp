@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Queries for all raceways of a bearing that do not depend on the contact law.
+// Queries for all raceways of a bearing. They do not depend on the contact law.
 #include "../numbers/instruction_set.h"
 #include "bearing_forces.h"
 #include "bearing_system.h"
@@ -20,7 +20,7 @@ Failure BearingForces::all_raceways(const Stage &stage)
   return any_raceways(stage);
 }
 
-// The step limit is evaluated in the present state.
+// The step limit is evaluated in the current state.
 double BearingForces::longest_step() const
 {
   double longest = b_.ball_profiles.empty() ? HUGE_VAL : longest_step_of_balls();

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts of balls with raceways in groups of four, in the rotating frame of each ball. The
-// contact law can be any class with the members of AnyLaw (core/contact/any_law.h); this file does
-// not depend on the parts of the law.
+// Evaluates the contacts of balls with raceways in groups of four, in the rotating frame of each
+// ball. The contact law can be any class with the members of AnyLaw (core/contact/any_law.h); this
+// file does not depend on the parts of the law.
 //
-// For smooth raceways, the loop is compiled with each law of inputs/models inlined. It is also
-// compiled once with an indirect law, for any set of parts and for raceways with profiles.
+// For smooth raceways, the loop is compiled once for each law in inputs/models, with the law
+// inlined. It is also compiled once with an indirect law, which serves any set of parts and
+// raceways with profiles.
 #ifndef RACEWAY_RACEWAY_CONTACTS_H
 #define RACEWAY_RACEWAY_CONTACTS_H
 
@@ -18,8 +19,8 @@
 
 namespace raceway {
 
-// Adds the contact to the matrix of the linear system: the ball's block, the ring's columns and
-// rows, and the border; d is the ball's position relative to the ring's centre.
+// Adds the contact to the matrix of the linear system, i.e. to the ball's block, the ring's columns
+// and rows, and the border. d is the ball's position relative to the ring's centre.
 template <int n>
 static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int group,
                                       const RingBody &ring, double R, const Vec3L &d,
@@ -107,8 +108,8 @@ static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT
 }
 
 // Returns the elastic energy of contacts minus their energy at the same overlap but with the
-// entrainment speeds and contact angles at the start of the step, J. No force does work in these
-// changes.
+// entrainment speeds and contact angles at the start of the step, J. No force does work when these
+// change.
 template <class L>
 static RACEWAY_INLINE double energy_gain(const L &law, const RacewayPhysics &p,
                                          const LaneMask &near, const ContactStateT<Lane> &c,
