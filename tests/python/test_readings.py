@@ -234,6 +234,14 @@ def test_command(tmp_path, capsys):
     assert max(abs(one["residual"]) for one in said["readings"]) > 3 and said["chi_squared"] > 9
 
 
+def test_a_contact_angle_is_not_negative(tmp_path):
+    """Its interval ends at 0 if a line does not exclude that balls roll at the groove's bottom."""
+    text = GOOD.replace("0 15e-6", "-40e-6 15e-6").replace("3.5972", "3.5855")
+    text = text.replace("2e-4", "1e-3").replace("\nknown:", "\nmodels: paper\nknown:")
+    found = identify.identify(readings.read(write(tmp_path, text))).angle
+    assert found.low == 0 < found.best < found.high < math.radians(8)
+
+
 def test_angle_beside_a_temperature_that_was_read_first(tmp_path, capsys):
     """The contact angle follows from the line whatever the order of the readings."""
     line = "  - {rpm: 1797, BPFO: 3.5972, within: 2e-4}"

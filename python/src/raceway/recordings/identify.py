@@ -91,7 +91,7 @@ def identify(readings: Readings) -> Found:
         np.array([one.value for one in predicted]),
         [search.state(one) for one in valley],
         max(one.idle for one in predicted),
-        None if search.first is None else Value(*interval.of(search.angle), not valley),
+        None if search.first is None else _angle(search, interval, not valley),
         None if search.first is None else _slip(search, interval, not valley),
         float(rest.independent @ rest.independent),
     )
@@ -146,6 +146,11 @@ def _gradient(function, place):
     """Return one-sided derivatives of `function`, with steps towards the middle of the ranges."""
     steps, here = np.where(place > 0.5, -STEP, STEP), function(place)
     return np.array([(function(place + step) - here) / step.sum() for step in np.diag(steps)])
+
+
+def _angle(search, interval, determined):
+    """`Found.angle`; a mean contact angle is not negative."""
+    return Value(*(max(one, 0.0) for one in interval.of(search.angle)), determined)
 
 
 def _slip(search, interval, determined):
