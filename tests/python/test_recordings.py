@@ -285,6 +285,18 @@ def test_a_nominal_speed_is_not_the_true_one(tmp_path, bearing, capsys):
         assert share * one.value <= one.uncertainty <= (share + 2e-3) * one.value
 
 
+def test_a_measured_speed_is_not_nominal(tmp_path, bearing):
+    """A file of Paderborn University contains the measured speed, which counts if the signal shows
+    no lines of the shaft. A nominal speed that the user gives takes precedence."""
+    noise = np.random.default_rng(4).normal(size=int(RATE))
+    file = tmp_path / "N15_M07_F10_KA01_1.mat"
+    paderborn(file, noise)
+    found = recording.Recording(file, bearing)
+    assert found.speed is None and found.speed_from == "file"
+    assert found.rpm == pytest.approx(60 * SHAFT) and found.speed_uncertainty == 0
+    assert recording.Recording(file, bearing, nominal=1800).speed_from == "nominal"
+
+
 def test_angle_of_a_four_point_contact_bearing(tmp_path, capsys):
     """Its lines are those at the angle of its grooves."""
     columns(tmp_path / "a.csv", struck(seconds=0.5))
@@ -315,16 +327,6 @@ def test_harmonics_of_the_mains_are_not_the_shaft(hum):
     noise = np.random.default_rng(5).normal(size=len(time))
     found = shaft_speed.find(shaft + hum * mains + 0.1 * noise, 1 / RATE, 1797 / 60)
     assert abs(60 * found.hertz - 1787) < 3 * 60 * found.uncertainty < 0.5
-
-
-@pytest.mark.parametrize(
-    "words, nominal", [(["--rpm", "1800"], False), (["--nominal", "1500"], True)]
-)
-def test_a_speed_that_is_only_nominal(tmp_path, capsys, words, nominal):
-    columns(tmp_path / "a.csv", struck())
-    assert main(["measured", str(tmp_path / "a.csv"), "--bearing", "6205", *words]) == 0
-    said = "rpm, nominal: the true speed is unknown, because no lines of the shaft agree"
-    assert (said in capsys.readouterr().out) == nominal
 
 
 @pytest.mark.parametrize(

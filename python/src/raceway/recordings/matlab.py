@@ -120,9 +120,11 @@ def _paderborn(path, data: Mapping[str, Any]):
     found = dict(sorted(found.items(), key=lambda item: item[0] != "vibration_1"))
     told = PADERBORN.match(path.name)
     rpm = 100.0 * int(told[1]) if told else math.nan
-    if "speed" in found:
+    measured = "speed" in found
+    if measured:
         rpm = float(found["speed"].values.mean())
-    return Contents("Paderborn", found, rpm, 100.0 * int(told[3]) if told else math.nan)
+    load = 100.0 * int(told[3]) if told else math.nan
+    return Contents("Paderborn", found, rpm, load, measured)
 
 
 def _words_of_paderborn(name):

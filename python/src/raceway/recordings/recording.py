@@ -83,6 +83,7 @@ class Recording:
             raise RunError(f"{path} does not state its sampling rate: give --rate HZ")
         self._given = rpm
         given = nominal if rpm is None else rpm
+        self._measured = found.measured and given is None
         self.nominal_rpm = found.rpm if given is None else given
         if not self.nominal_rpm > 0:
             raise RunError(
@@ -105,14 +106,17 @@ class Recording:
 
     @property
     def speed_from(self) -> str:
-        """Source of `rpm`: "given", "lines" of the shaft, or "nominal" if no lines show it."""
-        return "given" if self._given is not None else "lines" if self.speed else "nominal"
+        """Source of `rpm`: "given", "lines" of the shaft, or, if no lines show it, "file" for a
+        measured speed in the file and otherwise "nominal"."""
+        if self._given is not None:
+            return "given"
+        return "lines" if self.speed else "file" if self._measured else "nominal"
 
     @property
     def speed_uncertainty(self) -> float:
-        """Relative standard deviation of `rpm`: 0 if it is given, that of an even distribution
-        around the nominal speed if no lines show it."""
-        if self._given is not None:
+        """Relative standard deviation of `rpm`: 0 if it is given or measured, and that of a uniform
+        distribution around the nominal speed if the speed is only nominal."""
+        if self.speed_from in ("given", "file"):
             return 0.0
         found = self.speed
         return found.uncertainty / found.hertz if found else shaft_speed.NEAR / math.sqrt(3)
