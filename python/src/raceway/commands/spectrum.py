@@ -166,7 +166,7 @@ def _over_time(arguments, opened):
 
 
 def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
-    """Return the `Line`s `found` in the `spectrum` of a run or recording as text.
+    """Return the `Line` objects `found` in the `spectrum` of a run or recording as text.
 
     If the cage speed is known, the last column is the deviation from the lines that follow from it.
     """

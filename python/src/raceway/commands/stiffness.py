@@ -133,7 +133,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def table(points: list) -> str:
-    """Return a table of the translational terms of `rotor.Point`s as text.
+    """Return a table of the translational terms of `rotor.Point` objects as text.
 
     The stiffness along y is shown with its range over a ball pass.
     """

@@ -204,7 +204,7 @@ class Record(SimpleNamespace):
 
 
 def _read_parameters(name, text):
-    """Parse a C parameter list in parentheses into `Parameter`s."""
+    """Parse a C parameter list in parentheses into `Parameter` objects."""
     words = " ".join(text.strip().removeprefix("(").removesuffix(")").split())
     found = []
     for one in filter(None, (part.strip() for part in words.split(","))):

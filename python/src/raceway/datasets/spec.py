@@ -199,7 +199,7 @@ def _word(name, given):
 
 # ---- runs ------------------------------------------------------------------------------------
 def records(spec: Spec) -> list[Record]:
-    """Return the `Record`s of `spec` in the order of its flaws, each flaw under all conditions.
+    """Return a list of `Record` for `spec` in the order of its flaws, each under all conditions.
 
     A seed determines the azimuth of the first ball, the initial position of a flaw on the inner
     raceway or on a ball, the number of that ball, and the phases of waves. Raise `RacewayError` for

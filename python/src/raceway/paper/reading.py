@@ -189,11 +189,11 @@ class Readings:
         return all(case in self.folders for case in self.plan.needed([product]))
 
     def all(self, name: str) -> list[Reading]:
-        """Return the `Reading`s of a set in the order of the file."""
+        """Return the `Reading` objects of a set in the order of the file."""
         return [self._reading(case) for case in self.plan.cases[name]]
 
     def some(self, name: str, **given: Any) -> list[Reading]:
-        """Return the `Reading`s of a set that have the given settings."""
+        """Return the `Reading` objects of a set that have the given settings."""
         return [
             one
             for one in self.all(name)

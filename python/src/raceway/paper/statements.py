@@ -45,7 +45,7 @@ class Judged(NamedTuple):
 
 
 def read() -> list[Statement]:
-    """Return the `Statement`s in the order of the paper."""
+    """Return the `Statement` objects in the order of the paper."""
     text = resources.files("raceway.paper").joinpath("statements.yaml").read_text(encoding="utf-8")
     return [
         Statement(

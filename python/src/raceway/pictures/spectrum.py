@@ -40,8 +40,8 @@ def levels(places: Sequence[float], width: float) -> list[int]:
 
 
 def picture(run: Source, spectrum: xr.DataArray, found: Sequence[Line], path: FilePath) -> None:
-    """Plot the `spectrum` of `run` (from `raceway.open`, or a recording) with the `Line`s `found`
-    in it, and write the plot to the PNG file `path`.
+    """Plot the `spectrum` of `run` (from `raceway.open`, or a recording) with the lines `found` in
+    it, and write the plot to the PNG file `path`.
 
     Raises `RunError` if the picture cannot be written.
     """

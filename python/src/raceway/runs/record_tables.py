@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Functions that return samples of a record as `DataFrame`s.
+"""Functions that return samples of a record as `DataFrame` objects.
 
 Each function takes the `record` and a range of samples from `start` to `stop`. The column `sample`
 counts from the start of the record. All values are in SI units.

@@ -92,7 +92,7 @@ class Recorded:
         return data
 
     def _azimuths(self, data, azimuth, from_load_line):
-        """Return `data` with these two `Variable`s as coordinates."""
+        """Return `data` with these two `Variable` objects as coordinates."""
         found = [("azimuth", azimuth, CONTACT["azimuth"].meaning)]
         if self._of_one:
             found.append(

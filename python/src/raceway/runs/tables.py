@@ -25,11 +25,11 @@ READERS = {"contacts": record_tables.contacts, "balls": record_tables.atoms}
 class RunTables:
     """The `settings` of a run and its samples as tables, which are read on first use.
 
-    Tables are `DataFrame`s in SI units whose column `sample` counts the samples of the measured
-    window from 0. For a run larger than memory, `samples`, a slice without a step, selects a range
-    of samples, or `blocks` reads all of them one block at a time. A run that is still running or
-    was stopped can be read up to its latest sample; `finished` is then False. `bearing` selects one
-    of several bearings by its number, counted from 1.
+    Tables are `DataFrame` objects in SI units. Their column `sample` counts the samples of the
+    measured window from 0. For a run larger than memory, `samples`, a slice without a step, selects
+    a range of samples, or `blocks` reads all of them one block at a time. A run that is still
+    running or was stopped can be read up to its latest sample; `finished` is then False. `bearing`
+    selects one of several bearings by its number, counted from 1.
 
     Raises `RunError` if the record is missing or broken, or if `run.yaml` belongs to another run.
     """

@@ -95,7 +95,7 @@ def _add_variables(found, path):
 
 
 def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
-    """Return the `Point`s in the CSV file `table` (path), in the order of the file.
+    """Return the `Point` objects in the CSV file `table` (path), in the order of the file.
 
     `variables` is the result of `deck_variables`. Empty lines and lines that start with # are
     skipped. Raise `TableError` for unknown or repeated columns, rows of different length, empty
