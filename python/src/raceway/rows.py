@@ -68,11 +68,11 @@ def lines(
     ranges: Mapping[str, tuple[float, float]] | None = None,
     second: tuple[str, Mapping[str, Any]] | None = None,
 ) -> list[str]:
-    """Return the lines of a table with the given `topics`, {heading: rows}. Quantities whose value is
-    None are left out. `errors` {key: error in the unit of the quantity} are shown in a
-    separate column, and `ranges` {key: (low, high)} at the end of each line. `second`, i.e. (name,
-    {key: value}), adds a second column of values. Its name is shown above the column in each topic
-    for which there are values."""
+    """Return the lines of a table with the given `topics`, {heading: rows}. Quantities whose value
+    is None are left out. `errors` {key: error in the unit of the quantity} are shown in a separate
+    column, and `ranges` {key: (low, high)} at the end of each line. `second`, i.e. (name, {key:
+    value}), adds a second column of values. Its name is shown above the column in each topic for
+    which there are values."""
     result = []
     name, others = second or ("", {})
     for topic, rows in topics.items():
