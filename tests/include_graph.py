@@ -33,7 +33,7 @@ ROOMS = {
     "core/record": "the record of a run: a growing netCDF file, written without a library",
     "core/interface": "a C interface through which Python calls the laws by name",
     "compat": "a common interface that hides the differences between hosts",
-    "deck": "driven values, agreement between ranks, tables of variables",
+    "deck": "values driven by the deck, checks that ranks agree, tables of variables",
     "contacts": "attributes of the contact table, step check, validity check",
     "ranks": "messages between ranks, sums over rings, the home rank of a bearing",
     "styles": "pair styles, fixes, computes, commands: everything that a deck can name",

@@ -71,7 +71,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
   struct Term {
     tag_t partner;
     int source, letter, at;
-  };    // letter: -1 for a claim of this rank
+  };    // letter: -1 if the claim is of this rank
   struct OwnedRing {
     int i;
     tag_t tag;

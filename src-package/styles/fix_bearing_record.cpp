@@ -129,8 +129,8 @@ void FixBearingRecord::read_options(Arguments &args)
                  columns_.end());
 }
 
-// Reads NAME VALUE, or any number of words NAME=VARIABLE, which store the current value of a deck
-// variable.
+// Reads either NAME VALUE, or any number of words NAME=VARIABLE, each of which stores the current
+// value of a deck variable.
 void FixBearingRecord::read_notes(Arguments &args, Note kind)
 {
   const char *what = kind == Note::text ? "name of a text" : "name of a number";

@@ -11,7 +11,7 @@
 using namespace LAMMPS_NS;
 using bearing::NetcdfHeader;
 
-// Returns the processor time of this process in s.
+// Returns the processor time used by this process, in s.
 static double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void FixBearingRecord::start_clocks()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Hooks of the pair style that are called by fix bearing/state. They renew the claims in the sums
-// over rings, and check the step and the validity ranges of the laws.
+// Hooks of the pair style that are called by fix bearing/state. They register the rails and contacts
+// of this rank in the sums over rings, and check the step and the validity ranges of the laws.
 #include "pair_bearing_hertz.h"
 
 #include "../contacts/step_check.h"
@@ -9,7 +9,7 @@
 using namespace LAMMPS_NS;
 using bearing::text;
 
-static constexpr int steps_between_checks = 1000;    // interval between the checks of the step
+static constexpr int steps_between_checks = 1000;    // of the step size
 
 // Causes rails (pre_force) and contacts (compute) to renew their claims in the sums over the rings.
 void PairBearingHertz::indices_changed()

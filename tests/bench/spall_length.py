@@ -61,7 +61,7 @@ its load appears 0.05 mm before the middle. The largest error of *two masses* is
 
 
 def at_static_rate(bearing, raceway, seconds, spin, load):
-    """Return the lengths (m) if the balls leave the raceway at the rate of the static drop."""
+    """Return the lengths (m) as if the balls left the raceway at the rate of the static drop."""
     orbit = spin * kinematics.frequencies(bearing).cage
     speed = kinematics.entrainment(bearing, spin)
     full = static.equilibrium(bearing, load, orbital_speed=orbit)

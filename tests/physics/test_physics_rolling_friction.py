@@ -174,7 +174,7 @@ def test_spring_in_series(physics, step):
     force, _ = sliding.in_series(15.0, distance, secant, found.kt, step)
     assert found.friction_t == pytest.approx(force, rel=1e-11)
     assert list(found.states) == [found.friction_t, found.friction_w]
-    # the couple belongs to the part of the slip that is not taken up by the spring; spring and slip
+    # the couple is due to the part of the slip that is not taken up by the spring; spring and slip
     # carry the same force
     edge = sliding.edge_slip(*arguments[2:])
     slip = brentq(

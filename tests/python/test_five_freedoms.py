@@ -54,7 +54,7 @@ def harris(
     orbital_speed=0.0,
 ):
     """Return the position (5,), the loads Q_i and Q_o (grooves, Z), and the corresponding angles.
-    They solve Harris's simultaneous equations (ch. 7 and 9, without gyroscopic moment), with one
+    They are the solution of Harris's equations (ch. 7 and 9, without gyroscopic moment), with one
     term per groove; the solver is scipy's.
 
     The unknowns are the position of the ring and, for each ball, X_1 and X_2, the axial and radial

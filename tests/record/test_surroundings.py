@@ -223,8 +223,8 @@ def test_within_a_step(tmp_path):
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_computes_and_the_fix(tmp_path, integrator):
-    """Computes and the fix provide values for each ball, for each ring and in total. Balls that do
-    not touch a ring are included."""
+    """The computes and the fix provide values for each ball, for each ring and in total. Balls
+    that do not touch a ring are included."""
     steps = {"implicit": 1, "verlet": 250}[integrator]
     fix = f"fix cap balls bearing/capacitance {steps} permittivity 2.2 surroundings dry\n"
     fix += f"fix rec all bearing/record {steps} {tmp_path}/run/rec\n"

@@ -138,7 +138,7 @@ def test_longest_explicit_step(fixed_step, rpm):
     other dampers are off."""
     _, rows = fixed_step(1e-7, rpm)
     limit = rows[:, 2].min()
-    assert limit > 4e-6  # the film damper of eq 5 would limit it to 0.02 to 0.9 us
+    assert limit > 4e-6  # with the film damper of eq 5, it would be 0.02 to 0.9 us
     code, rows = fixed_step(0.98 * limit, rpm)
     assert code == 0 and rows[:, 1].max() < 2 * rows[0, 1]
     code, rows = fixed_step(1.25 * limit, rpm)

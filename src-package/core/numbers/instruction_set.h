@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Selects which of the two compiled versions of a large function is called on the present processor
+// Selects which of the two compiled versions of a large function to call on the current processor
 // (core/numbers/lane.h).
 #ifndef RACEWAY_INSTRUCTION_SET_H
 #define RACEWAY_INSTRUCTION_SET_H

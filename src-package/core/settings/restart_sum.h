@@ -20,7 +20,7 @@ std::string empty_sum();
 bool write_sum(const std::string &file);
 
 // Returns true if the sum is correct, and false if it is not, if the file cannot be read, or if the
-// file has no position for the sum.
+// file has no placeholder for the sum.
 bool has_right_sum(const std::string &file);
 
 }    // namespace bearing

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The loop over contacts with the laws inlined. It is included by the files that compile it.
+// The loop over contacts with the laws inlined. Only the source files that compile it include this
+// file.
 #ifndef RACEWAY_RACEWAY_CONTACTS_FUSED_H
 #define RACEWAY_RACEWAY_CONTACTS_FUSED_H
 

@@ -91,8 +91,8 @@ def run(
     points: int | None = None,
     stray: float = 0.0,
 ) -> Result:
-    """Solve the circuit formed by a bearing and the circuit `outer` between its rings, over the
-    samples of `of`.
+    """Solve the circuit that consists of a bearing and the circuit `outer` between its rings, for
+    the samples of `of`.
 
     `of` is a run from `raceway.open`, a dataset with the same variables as the `contacts` of a run,
     or `Films` (which already include leak and stray). `breakdown` is the model of film failure

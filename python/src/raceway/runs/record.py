@@ -87,7 +87,7 @@ class Record:
         self._numbers: tuple[tuple[int, int], dict[str, Floats]] = ((-1, -1), {})  # none yet
 
     def _check_length(self):
-        """Check that a finished record has exactly the samples that its header counts.
+        """Check that a finished record has exactly as many samples as its header states.
 
         A growing record may have more.
         """

@@ -48,7 +48,8 @@ def sweep(
         else:
             todo.append(point)
     before = counts[FINISHED]
-    # Only this process holds `writing`, so the workers are notified if it ends for any reason.
+    # Only this process has the end `writing` of the pipe open, so the workers are notified if this
+    # process ends for any reason.
     reading, writing = os.pipe()
     pool = ProcessPoolExecutor(
         min(jobs, len(todo)) or 1, get_context("fork"), _Worker.begin, (reading, writing)

@@ -232,8 +232,8 @@ class Bearing:
     def effective_radii(
         self, raceway: int, angle: Numbers = 0.0, clearance: float = 0.0
     ) -> tuple[Numbers, Numbers]:
-        """Return (R_x along rolling, R_y across the groove) in m, for the geometry of a contact at
-        the contact angle `angle` (rad).
+        """Return (R_x in the rolling direction, R_y across the groove) in m for a contact at the
+        contact angle `angle` (rad).
 
         With gamma = R_b cos(angle)/r_pitch, R_x is R_b (1 - gamma) for the inner and R_b (1 +
         gamma) for the outer raceway (eq 2, Harris 2.28).

@@ -60,8 +60,8 @@ def ball_order(bearing: Bearing, state: Equilibrium, models: str = "full") -> fl
     speed; the arguments are as in `order`.
 
     A ball rolls on the outer raceway about an axis at the angle b, which is half the sum of both
-    contact angles: w_b/w_c = (1 + g cos a_o)/(g cos(b - a_o)). This formula is also used with
-    models paper, in which the ball's axis does not tilt. Differential slip adds a fraction (1 -
+    contact angles: w_b/w_c = (1 + g cos a_o)/(g cos(b - a_o)). This formula is also used with the
+    models `paper`, in which the ball's axis does not tilt. Differential slip adds a fraction (1 -
     w_c/w) e_i + w_c/w e_o, because both rings are slower than the surface of the ball.
 
     >>> from raceway.theory import static

@@ -48,7 +48,7 @@ def loaded(
 
     I = 4 kappa E R (G + pi P sqrt(2 R_x g_s)/b), where P is the mean over both sides, and E and R
     are those of the `Ellipse`. Raises `ValueError` if the load or the separation is not positive,
-    or if the ellipse is longer along rolling than across the groove.
+    or if the ellipse is longer in the rolling direction than across the groove.
 
     >>> one = hertz.exact(4.990476e-3, 163.8e-3)
     >>> width = HalfWidths(4.2e-3, 4.2e-3)

@@ -99,8 +99,8 @@ def rest(
     speed: float = 0.0,
     ball_density: float = 7800.0,
 ) -> Rest:
-    """Find the equilibrium of `shaft` on `seats` under `loads`. A shaft `speed` in rad/s adds the
-    centrifugal loads of the balls.
+    """Find the equilibrium of `shaft` on `seats` under `loads`. If a shaft `speed` in rad/s is
+    given, the centrifugal loads of the balls are included.
 
     Raises `ValueError` for a position off the shaft, and `NoEquilibrium` if the bearings cannot
     support the loads.
