@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Hooks of the pair style that are called by fix bearing/state. They register the rails and contacts
-// of this rank in the sums over rings, and check the step and the validity ranges of the laws.
+// Hooks of the pair style that are called by fix bearing/state. They register the rails and
+// contacts of this rank in the sums over rings, and check the step and the validity ranges of the
+// laws.
 #include "pair_bearing_hertz.h"
 
 #include "../contacts/step_check.h"
