@@ -50,7 +50,7 @@ SCENES = (
 
 @dataclass
 class Story:
-    """What happened to one run."""
+    """Events of one run."""
 
     kills: int = 0
     resumed: int = 0  # number of restarts from a restart file

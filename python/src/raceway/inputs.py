@@ -112,16 +112,9 @@ def _one_groove(path):
     elastic = STEEL | numbers(path, *names)
     young, poisson = elastic["ball_young"], elastic["ball_poisson"]
     try:
-        body = Bearing(**data, young=young, poisson=poisson)
+        return Bearing(**data, young=young, poisson=poisson)
     except ValueError as error:
         raise InputError(f"{path}: {error}") from None
-    apart = 2 * body.pitch_radius * math.sin(math.pi / body.balls)
-    if apart < body.ball_diameter:
-        raise InputError(
-            f"{path}: overlapping balls: {body.balls} balls of diameter {body.ball_diameter:g} m on"
-            f" a pitch circle of radius {body.pitch_radius:g} m are {apart:g} m apart"
-        )
-    return body
 
 
 def held(

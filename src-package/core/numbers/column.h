@@ -20,7 +20,7 @@ struct Column {
   const char *format = as_real;
 };
 
-// What a column requires: a lubricant (film), a lubricant and a fix bearing/capacitance, or a
+// Requirement of a column: a lubricant (film), a lubricant and a fix bearing/capacitance, or a
 // lubricant and a fix bearing/capacitance with surroundings.
 enum class Needs { nothing, film, capacitance, surroundings };
 

@@ -7,7 +7,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from raceway.commands import Commands, one_run, recorded
-from raceway.commands.spectrum import count
+from raceway.commands.spectrum import harmonics
 from raceway.units import prefixed
 
 if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
@@ -50,13 +50,7 @@ def add(commands: Commands) -> None:
         default="outer",
         help="ring that the column belongs to (default: outer)",
     )
-    one.add_argument(
-        "--harmonics",
-        type=count,
-        default=3,
-        metavar="N",
-        help="number of harmonics per line (default: 3)",
-    )
+    harmonics(one)
     one.add_argument("--out", metavar="PNG", help="plot both spectra to this file")
     one.add_argument("--json", action="store_true", help="print a JSON object instead of tables")
     one.set_defaults(command=run, complain=one.error)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from raceway.commands import Commands, recorded
 from raceway.commands.quantity import number, takes_negative
-from raceway.commands.spectrum import count, plain, table
+from raceway.commands.spectrum import harmonics, plain, table
 from raceway.units import prefixed
 
 if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
@@ -52,13 +52,7 @@ def add(commands: Commands) -> None:
     takes_negative(one)
     recorded.add(one)
     one.add_argument("--raw", action="store_true", help="use the signal, not its envelope")
-    one.add_argument(
-        "--harmonics",
-        type=count,
-        default=3,
-        metavar="N",
-        help="number of harmonics per line (default: 3)",
-    )
+    harmonics(one)
     one.add_argument(
         "--angle",
         type=number(0, 90, "degrees"),

@@ -69,13 +69,7 @@ def add(commands: Commands) -> None:
         help="ring that the signal belongs to; an outer ring in a housing also has ax, ay ..."
         " (default: inner)",
     )
-    one.add_argument(
-        "--harmonics",
-        type=count,
-        default=3,
-        metavar="N",
-        help="number of harmonics per line (default: 3)",
-    )
+    harmonics(one)
     one.add_argument(
         "--angle",
         type=number(0, 90, "degrees"),
@@ -221,3 +215,14 @@ def count(text: str) -> int:
 
 
 count.__name__ = "number from 1 to 50"  # argparse prints this name in its error message
+
+
+def harmonics(to: Any) -> None:
+    """Add the option --harmonics to a parser or group of options."""
+    to.add_argument(
+        "--harmonics",
+        type=count,
+        default=3,
+        metavar="N",
+        help="number of harmonics per line (default: 3)",
+    )
