@@ -253,8 +253,8 @@ void FixBearingCageRing::pocket_forces()
     axes_.lab(p.ball_torque).add_to(atom->torque[c.i]);
     pair_->ring_sum().add(c.claim, axes_.lab(-p.force), axes_.lab(p.cage_moment));
     row->stiffness = p.h.force > 0.0 ? p.h.stiffness : 0.0;
-    row->damping = p.h.force > 0.0 ? p.h.damping : 0.0;
-    row->force = p.h.force;
+    row->damping = (p.h.force > 0.0 ? p.h.damping : 0.0) + p.film.resistance();
+    row->force = p.push();
     row->loss = p.loss;
     ++row;
   }

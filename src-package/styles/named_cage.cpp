@@ -21,13 +21,13 @@ namespace bearing {
 // they are joined by +.
 static std::set<std::string> left_out(Arguments &args, const std::string &names)
 {
-  const std::set<std::string> parts = {"friction", "shear", "land", "churning"};
+  const std::set<std::string> parts = {"friction", "shear", "film", "land", "churning"};
   std::set<std::string> out;
   std::istringstream list(names == "none" ? "" : names);
   for (std::string name; std::getline(list, name, '+');) {
     if (!parts.count(name))
       args.fail("cage_without '" + names + "': there is no part '" + name +
-                "'; there is: friction, shear, land, churning, joined by +, or none");
+                "'; there is: friction, shear, film, land, churning, joined by +, or none");
     out.insert(name);
   }
   return out;
@@ -79,10 +79,11 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
   // the oil in a pocket covers the usual wrap angle
   const auto *pair = dynamic_cast<const PairBearing *>(lmp->force->pair);
   const std::string viscosity = pair ? pair->oil_datum(b.name, "viscosity") : "";
+  const std::string band = digits(raceway::usual_band * ball);
   if (!viscosity.empty())
     line << " oil " << viscosity << " " << words["cage_filled"] << " "
-         << (out.count("shear") ? "0" : digits(raceway::usual_band * ball)) << " land_oil "
-         << (out.count("land") ? "0" : words["cage_filled"]);
+         << (out.count("shear") ? "0" : band) << " film " << (out.count("film") ? "0" : band)
+         << " land_oil " << (out.count("land") ? "0" : words["cage_filled"]);
   // the cage churns the same oil that causes drag on the balls
   const double churned = pair && !out.count("churning") ? pair->oil_share(b.name) : 0.0;
   if (churned > 0.0)

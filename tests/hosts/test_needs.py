@@ -196,10 +196,10 @@ def test_parts_of_a_cage_ring_are_choices():
     def parts(**scene):
         return {one.name for one in choices(scene, True, {"cage": "yes", "cage_guide": "balls"})}
 
-    ring = {"cage chain", "cage friction", "cage shear", "cage churning"}
+    ring = {"cage chain", "cage friction", "cage shear", "cage film", "cage churning"}
     assert parts(cage="ring") - parts() == ring
     assert parts(cage="ring", cage_guide="outer") - parts() == ring | {"cage land"}
     picked = [one for one in choices({"cage": "ring"}, True) if one.name in ring - {"cage chain"}]
     left = variables(picked)["cage_without"]
-    assert left == "friction+shear+churning"
+    assert left == "friction+shear+film+churning"
     assert "without" not in variables(picked)

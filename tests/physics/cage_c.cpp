@@ -17,6 +17,24 @@ FORMULA(double, cage_land_couple,
   return land_couple({radius, clearance, width, 1, viscosity, 1.0}, share);
 }
 
+RECORD(Squeeze, double spring, damper, by_spring[3], by_damper[3];)
+EXPORT(void, pocket_squeeze, (const double *film, const double *x, const double *v, Squeeze *out))
+{
+  const PocketFilm p = {film[0], film[1], film[2], film[3], film[4] != 0.0};
+  const PocketSqueeze s = pocket_squeeze(p, Vec3::from(x), Vec3::from(v), true);
+  *out = {s.of.spring, s.of.damper, {}, {}};
+  for (int k = 0; k < 3; ++k) {
+    out->by_spring[k] = s.spring[k];
+    out->by_damper[k] = s.damper[k];
+  }
+}
+
+FORMULA(double, pocket_film_width,
+        (double radius, double clearance, double height, double spherical, double e))
+{
+  return std::cbrt(film_width_cubed({radius, clearance, height, 1.0, spherical != 0.0}, e));
+}
+
 RECORD(Film, double x, y;)
 FORMULA(Film, cage_land_film,
         (double viscosity, double radius, double width, double clearance, double x, double y,
@@ -35,8 +53,8 @@ FORMULA(double, cage_churning,
 
 // A cage, a ball and a ring at positions that a test sets.
 RECORD(CageScene, double pockets, spherical, pitch, phase, along, across, stiffness, mass, friction,
-       creep, shear, guide, radius, clearance, width, viscosity, land_stiffness, wall, x[3], v[3],
-       w[3], e[3], angle, ball_x[3], ball_v[3], ball_w[3], ball_radius, ball_mass, ring_x[3],
+       creep, shear, film, guide, radius, clearance, width, viscosity, land_stiffness, wall, x[3],
+       v[3], w[3], e[3], angle, ball_x[3], ball_v[3], ball_w[3], ball_radius, ball_mass, ring_x[3],
        ring_v[3], ring_w[3], ring_e[3];)
 RECORD(PocketOutput, double pocket, overlap, force[3], ball_torque[3], cage_moment[3], normal[3],
        loss, energy, push, stiffness, damping;)
@@ -56,6 +74,8 @@ static CageRing cage_of(const CageScene &in)
   c.friction = in.friction;
   c.creep = in.creep;
   c.shear = in.shear;
+  if (in.film > 0.0)
+    c.film = {in.ball_radius, c.least_play(in.ball_radius), in.film, in.viscosity, c.spherical};
   c.guide = CageRing::Guide(int(in.guide));
   c.land = {in.radius, in.clearance, in.width, 2, in.viscosity, 1.0};
   c.land_stiffness = in.land_stiffness;
@@ -86,7 +106,7 @@ EXPORT(void, cage_pocket, (const CageScene *in, PocketOutput *out))
   c.normal.to(out->normal);
   out->loss = c.loss;
   out->energy = c.energy;
-  out->push = c.h.force;
+  out->push = c.push();
   out->stiffness = c.h.stiffness;
   out->damping = c.h.damping;
 }

@@ -112,6 +112,7 @@ CAGE = dict(
     friction=0.1,
     creep=1e-2,
     shear=2e-7,
+    film=0.0,
     guide=2,
     radius=21.7e-3,
     clearance=0.15e-3,
@@ -151,12 +152,14 @@ PUSHES = [(1.2, 0, 0), (-1.1, 0, 3), (0.8, 0.9, 0), (0, -1.3, -2), (-0.9, 0.7, 1
 @pytest.mark.parametrize("spherical", [0, 1])
 @pytest.mark.parametrize("push", PUSHES)
 @pytest.mark.parametrize("tilt", [0.0, 0.02])
-@pytest.mark.parametrize("wall", [0.0, 1e6])
-def test_a_pocket_keeps_angular_momentum_and_power(physics, push, tilt, spherical, wall):
+@pytest.mark.parametrize("wall, film", [(0.0, 0.0), (1e6, 0.0), (0.0, 2.8e-3)])
+def test_a_pocket_keeps_angular_momentum_and_power(physics, push, tilt, spherical, wall, film):
     for seed in range(5):
-        s = scene(4, np.array(push) * PLAY, seed, tilt, spherical=spherical, wall=wall)
+        s = scene(4, np.array(push) * PLAY, seed, tilt, spherical=spherical, wall=wall, film=film)
         c = physics.call("cage_pocket", s)
         assert c.pocket == 4 and c.overlap > 0
+        dry = physics.call("cage_pocket", s | dict(film=0.0))
+        assert (np.linalg.norm(c.force - dry.force) > 1e-3) == (film > 0)
         about_cage = np.cross(s["ball_x"] - s["x"], c.force) + c.ball_torque + c.cage_moment
         assert about_cage == pytest.approx([0, 0, 0], abs=1e-13 * (1 + np.linalg.norm(c.force)))
         # of the power that both bodies supply, F d(overlap)/dt is stored in a spring, and the

@@ -188,7 +188,7 @@ def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
     rolling = spin[:, 0].mean() / 2 * (1 - ball / (inner + outer))
     assert figures["cage_slip"] == pytest.approx(1 - spin[:, 2].mean() / rolling, rel=1e-9)
     assert 1e-3 < figures["cage_slip"] < 1e-2
-    assert 2e-5 < figures["cage_orbit_m"] < 1.5e-4  # at most the play
+    assert 5e-6 < figures["cage_orbit_m"] < 1.5e-4  # at most the play
     force = record.read(["ball_pocket_force"])["ball_pocket_force"]
     assert figures["pocket_force_max_N"] == np.nanmax(force) > 0.1
     assert figures["pocket_force_mean_N"] == pytest.approx(np.nanmean(force))
@@ -224,11 +224,12 @@ def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
 
 
 def test_pockets_are_drawn_around_their_balls(tmp_path):
-    """In the samples of a run, each ball stays within the play of its own spherical pocket, and
-    touches the wall if the pocket exerts a force on it. ParaView and the pictures show the same
-    pockets."""
+    """In the samples of a run without squeeze films, each ball stays within the play of its own
+    spherical pocket, and touches the wall if the pocket exerts a force on it. ParaView and the
+    pictures show the same pockets."""
     play, phase = 2e-4, 0.3
-    succeed("inputs/in.cage_ring", out=tmp_path, passes=2, cage_play=play, phase=phase)
+    words = dict(cage_play=play, phase=phase, cage_without="film")
+    succeed("inputs/in.cage_ring", out=tmp_path, passes=2, **words)
     run = Run(tmp_path).tables
     samples = len(run.record)
     found = pockets(run, 0, samples)
@@ -281,7 +282,7 @@ def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
     """If the other parts are omitted, the power loss due to one part equals its closed-form value
     in those samples in which no ball strikes its pocket. The other samples are excluded because the
     damping of the walls is never below 0."""
-    out = sorted({"friction", "shear", "land", "churning"} - {part})
+    out = sorted({"friction", "shear", "film", "land", "churning"} - {part})
     land = dict(cage_guide="outer", cage_land=34e-3, cage_clearance=2e-4, cage_width=2e-3)
     succeed(
         "inputs/in.cage_ring",
@@ -312,6 +313,20 @@ def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
     assert (found["bearing_cage_power"][:, 0] / power).min() == pytest.approx(1, rel=1e-2)
 
 
+@pytest.mark.parametrize("rpm", [47.75, 477.5, 9549])
+def test_films_keep_the_motion_of_a_cage_regular(tmp_path, rpm):
+    """With squeeze films, balls do not strike their pockets, so the means over four ball passes do
+    not depend on rounding or tolerances. They agree within 1e-3 with those of a tenth of the
+    tolerance, whereas without films the cage speed alone changes by more."""
+    found = []
+    for k, words in enumerate(({}, dict(tolerance=1e-10, relative_tolerance=2e-5))):
+        out = tmp_path / str(k)
+        succeed("inputs/in.cage_ring", out=out, load=5000, rpm=rpm, passes=4, settle=4, **words)
+        found.append(Run(out).summary())
+    for name in ("friction_torque_N_m", "cage_speed_rad_s", "q_max_N", "h_c_m"):
+        assert found[0][name] == pytest.approx(found[1][name], rel=1e-3), name
+
+
 def share_below(level, pitch):
     """Return the mean submerged fraction of a ball if the oil level is `level` ball diameters above
     the lowest point of the raceway; `pitch` is the ratio of the pitch radius to the ball radius."""
@@ -336,7 +351,8 @@ def test_a_cage_under_moments_bears_what_statics_estimates(tmp_path):
 
 def test_an_unknown_part_of_a_cage_is_refused(tmp_path):
     outcome = liggghts("inputs/in.cage_ring", out=tmp_path, cage_without="oil")
-    assert "there is no part 'oil'; there is: friction, shear, land, churning" in outcome.error
+    known = "friction, shear, film, land, churning"
+    assert f"there is no part 'oil'; there is: {known}" in outcome.error
 
 
 @pytest.mark.parametrize("integrator", BOTH)

@@ -7,14 +7,16 @@
 // whereas a spherical pocket also holds it in this direction. The contact between ball and wall
 // follows damped_hertz.h or, if the bars of the cage deform more than the contact does,
 // pocket_wall.h. Coulomb friction, smoothed below the speed `creep`, opposes the sliding of the
-// ball's surface on the wall. The relative spin shears the oil in the pocket. Forces on ball and
-// cage act through one point, so momentum and angular momentum are conserved.
+// ball's surface on the wall. The oil in the pocket resists the relative motion and the relative
+// spin (pocket_film.h). Forces on ball and cage act through one point, so momentum and angular
+// momentum are conserved.
 #ifndef RACEWAY_CAGE_RING_H
 #define RACEWAY_CAGE_RING_H
 
 #include "../laws/cage_drag.h"
 #include "../laws/damped_hertz.h"
 #include "../laws/hertz.h"
+#include "../laws/pocket_film.h"
 #include "../laws/pocket_wall.h"
 #include "../numbers/vec3.h"
 
@@ -38,6 +40,7 @@ struct CageRing {
   double friction = 0.0, creep = 1e-2;    // friction coefficient between ball and wall; creep
                                           // speed, m/s
   double shear = 0.0;                     // N m s, pocket_shear()
+  PocketFilm film;                        // squeeze film; without viscosity there is none
   Guide guide = by_balls;
   LandGap land;
   double land_stiffness = 0.0;    // N/m^1.5, contact between cage and land
@@ -107,6 +110,18 @@ inline Vec3 pocket_axis(const CageRing &cage, const CageMotion &m, int pocket)
   return carried_across(m.e, std::cos(azimuth), std::sin(azimuth));
 }
 
+// Squeeze film between a ball and its pocket, in the lab frame.
+struct PocketSqueeze {
+  Vec3 x, v;    // displacement (m) and velocity (m/s) of the ball, as far as the film resists them
+  SqueezeFilm<double> of = {0.0, 0.0};
+  double spring[3] = {}, damper[3] = {};    // derivatives of its coefficients with respect to x.x,
+                                            // x.v and v.v
+  Vec3 force;                               // on the ball, N
+
+  // Returns the damping constant along the motion, N s/m.
+  double resistance() const { return dot(v, v) > 0.0 ? -dot(force, v) / dot(v, v) : 0.0; }
+};
+
 struct PocketContact {
   Vec3 offset;       // m, from the pocket's centre to the ball's centre: components along the
                      // circle, the axis and the radius
@@ -119,11 +134,15 @@ struct PocketContact {
   Vec3 side, axis;      // direction across the normal in the pocket's cross-section; axis of the
                         // pocket
   bool spherical = false;
+  PocketSqueeze film;
   Vec3 slide;                 // sliding direction of the ball times the fraction of full friction
   double braking = 0.0;       // N s/m, friction divided by sliding speed
   Vec3 force, ball_torque;    // on the ball, N and N m
   Vec3 cage_moment;           // on the cage about its centre, N m
   double loss = 0.0, energy = 0.0;    // W, J
+
+  // Returns the force that presses the ball and the wall against each other, N.
+  double push() const { return norm(film.force + normal * h.force); }
 };
 
 struct PocketBall {
@@ -131,10 +150,37 @@ struct PocketBall {
   double radius, mass;
 };
 
+// Evaluates the squeeze film of a ball displaced by x (m) that moves at v (m/s) in its pocket, and
+// the derivatives of its coefficients if `slopes` is true.
+inline PocketSqueeze pocket_squeeze(const PocketFilm &film, const Vec3 &x, const Vec3 &v,
+                                    bool slopes)
+{
+  PocketSqueeze s;
+  s.x = x;
+  s.v = v;
+  const double of[] = {dot(x, x), dot(x, v), dot(v, v)};
+  if (slopes) {
+    Dual<double, 3> by[] = {of[0], of[1], of[2]};
+    for (int k = 0; k < 3; ++k) by[k].d[k] = 1.0;
+    const auto f = squeeze_film(film, by[0], by[1], by[2]);
+    s.of = {f.spring.value, f.damper.value};
+    for (int k = 0; k < 3; ++k) {
+      s.spring[k] = f.spring.d[k];
+      s.damper[k] = f.damper.d[k];
+    }
+  } else {
+    s.of = squeeze_film(film, of[0], of[1], of[2]);
+  }
+  s.force = -(x * s.of.spring + v * s.of.damper);
+  return s;
+}
+
 // Evaluates the contact between a ball and its pocket. For gaps up to `close` (m), derivatives are
-// evaluated at the overlap `barely` (m), but forces at the actual gap.
+// evaluated at the overlap `barely` (m), but forces at the actual gap. `slopes` asks for the
+// derivatives of the film.
 inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, int pocket,
-                                    const PocketBall &ball, double close = 0.0, double barely = 0.0)
+                                    const PocketBall &ball, double close = 0.0, double barely = 0.0,
+                                    bool slopes = false)
 {
   PocketContact c;
   const Vec3 p = pocket_axis(cage, m, pocket), t = cross(m.e, p), d = ball.x - m.x;
@@ -150,18 +196,24 @@ inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, i
                qz = beyond(c.offset.y, cage.across - gap), qr = cage.spherical ? c.offset.z : 0.0;
   const double off = std::sqrt(qt * qt + qz * qz + qr * qr);
   c.overlap = off - gap;
-  const Vec3 spin = ball.w - m.w;
+  const Vec3 spin = ball.w - m.w, dv = ball.v - m.v - cross(m.w, d);
   if (cage.shear > 0.0) {
     const Vec3 couple = (spin + p * dot(spin, p)) * cage.shear;
     c.ball_torque = -couple;
     c.cage_moment = couple;
     c.loss = dot(couple, spin);
   }
+  if (cage.film.viscosity > 0.0) {
+    const Vec3 x = t * qt + m.e * qz + p * qr;
+    c.film = pocket_squeeze(cage.film, x, cage.spherical ? dv : dv - p * dot(dv, p), slopes);
+    c.force = c.film.force;
+    c.loss -= dot(c.film.force, dv);
+    c.cage_moment -= cross(d, c.film.force);
+  }
   if (!(off > 0.0) || c.overlap <= -close) return c;
   const Vec3 n = (t * qt + m.e * qz + p * qr) * (-1.0 / off);
   c.normal = n;
   c.side = cage.spherical ? Vec3() : cross(p, n);
-  const Vec3 dv = ball.v - m.v - cross(m.w, d);
   c.rate = -dot(dv, n);
   const double reduced = ball.mass * cage.mass / (ball.mass + cage.mass);
   const bool touches = c.overlap > 0.0;
@@ -182,17 +234,18 @@ inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, i
   // rotate
   const bool turns = cage.spherical || cage.along == cage.across || (qt != 0.0 && qz != 0.0);
   c.bend = turns ? c.h.force / off : 0.0;
-  c.force = n * c.h.force;
+  Vec3 push = n * c.h.force;
   const Vec3 at = n * -ball.radius;    // from the ball's centre to the wall
   if (cage.friction > 0.0) {
     const Vec3 on = dv + cross(spin, at), v = on - n * dot(on, n);
     c.braking = cage.friction * c.h.force / std::sqrt(dot(v, v) + cage.creep * cage.creep);
     c.slide = v * (c.braking / c.h.force);
-    c.force -= v * c.braking;
+    push -= v * c.braking;
     c.ball_torque -= cross(at, v * c.braking);
     c.loss += c.braking * dot(v, v);
   }
-  c.cage_moment -= cross(d + at, c.force);
+  c.force += push;
+  c.cage_moment -= cross(d + at, push);
   return c;
 }
 

@@ -12,6 +12,8 @@
 
 #include "exp_log.h"
 
+#include <cmath>
+
 #include <type_traits>
 
 namespace raceway {
@@ -177,6 +179,14 @@ template <class B, int n> RACEWAY_INLINE Dual<B, n> logarithm(const Dual<B, n> &
 {
   Dual<B, n> r(logarithm(a.value));
   const B slope = 1.0 / a.value;
+  for (int i = 0; i < n; ++i) r.d[i] = slope * a.d[i];
+  return r;
+}
+RACEWAY_INLINE double arctangent(double a) { return std::atan(a); }
+template <class B, int n> RACEWAY_INLINE Dual<B, n> arctangent(const Dual<B, n> &a)
+{
+  Dual<B, n> r(arctangent(a.value));
+  const B slope = 1.0 / (1.0 + a.value * a.value);
   for (int i = 0; i < n; ++i) r.d[i] = slope * a.d[i];
   return r;
 }

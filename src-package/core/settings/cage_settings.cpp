@@ -57,6 +57,8 @@ void CageSettings::read(Arguments &args)
       oil = args.positive("viscosity in pockets and at the land (Pa s)");
       filled = args.within("share of the gaps with oil", 0.0, 1.0);
       height = args.non_negative("height of a pocket's band of oil (m)");
+    } else if (args.take("film")) {
+      film_height = args.non_negative("height of a pocket's squeeze film (m)");
     } else if (args.take("land_oil")) {
       land_filled = args.within("share of the land's gap with oil", 0.0, 1.0);
     } else if (args.take("churning")) {
@@ -68,7 +70,7 @@ void CageSettings::read(Arguments &args)
       planar = args.choice("planar", {"no", "yes"}) == 1;
     } else {
       args.unknown("pockets, play, across, shape, phase, mass, inertia, wall, young, poisson, "
-                   "friction, guide, oil, land_oil, churning, planar");
+                   "friction, guide, oil, film, land_oil, churning, planar");
     }
   }
   if (of.pockets == 0) args.fail("'pockets Z' is missing");
@@ -109,6 +111,8 @@ void CageSettings::prepare(Arguments &args, double ball_radius, double pitch)
   of.pitch = pitch;
   of.stiffness = raceway::pocket_stiffness(of.spherical, R, std::fmin(of.along, of.across), E);
   if (of.guide != CageRing::by_balls) of.land_stiffness = raceway::land_stiffness(of.land, E);
+  const double H = film_height < 0.0 ? height : film_height;
+  if (H > 0.0) of.film = {R, of.least_play(R), H, oil * filled, of.spherical};
   of.shear = height > 0.0 ? raceway::pocket_shear(oil, R, height, of.along, filled) : 0.0;
 }
 

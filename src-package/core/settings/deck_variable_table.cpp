@@ -82,7 +82,7 @@ const std::vector<DeckVariable> &deck_variables()
       {"cage_width", "0", "m", "1.0e-5 1 or 0", "bearing/cage/ring",
        "width of each of the two lands"},
       {"cage_without", "none", "", "", "bearing/cage/ring",
-       "parts to leave out, joined by +: friction, shear, land, churning"},
+       "parts to leave out, joined by +: friction, shear, film, land, churning"},
       {"temperature", "40", "C", "-40 200", "pair_style bearing", "temperature of the lubricant"},
       {"models", "full", "", "", "pair_style bearing",
        "models of the contacts: full, film, eyring, paper or none, or a file"},

@@ -102,6 +102,8 @@ class BearingForces {
   Failure pockets(const Stage &);
   void cages(const Stage &);    // cage_ring_forces.cpp
   void pocket(const Stage &, const BearingModel::Cage &, const CageMotion &, int body, int number);
+  void film_rows(const Stage &, const RingBody &, const CageMotion &, const PocketContact &,
+                 int slot);
   void land(const Stage &, const BearingModel::Cage &, const CageMotion &);
 
   struct Place {

@@ -59,8 +59,8 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
   };
   const PocketBall ball = {Vec3{g.now.r[i] * cosine, g.now.r[i] * sine, g.now.z[i]} + b_.centre,
                            lab(g.v), lab(g.w), R, g.mass[i]};
-  const PocketContact c =
-      pocket_contact(*cage.of, m, number, ball, fresh ? stage.close_cage : 0.0, barely_touching);
+  const PocketContact c = pocket_contact(*cage.of, m, number, ball, fresh ? stage.close_cage : 0.0,
+                                         barely_touching, fresh);
   power_lost_ += c.loss;
   contact_energy_ += c.energy;
   ring.force -= c.force;
@@ -72,7 +72,9 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
   };
   add(g.rhs, local(c.force) * h);
   add(g.rhs + 3, local(c.ball_torque) * h);
-  if (!fresh || !(c.h.growth > 0.0)) return;
+  if (!fresh) return;
+  if (cage.of->film.viscosity > 0.0) film_rows(stage, ring, m, c, at);
+  if (!(c.h.growth > 0.0)) return;
   if (stage.dampers_only && c.h.force > 0.0) {
     // the ball and the cage vibrate on the same spring, which at most doubles its effect on either
     // of them
@@ -123,6 +125,54 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
     }
     for (int o = 0; o < count; ++o) system_.D(moving[o], moving[k]) += dot(surface[o], f);
     ++k;
+  }
+}
+
+// Adds the derivatives of the force of a squeeze film to the rows of a ball and its cage. The film
+// answers a motion u of the ball's centre with both u + x (x_share.u) + v (v_share.u).
+void BearingForces::film_rows(const Stage &stage, const RingBody &ring, const CageMotion &m,
+                              const PocketContact &c, int slot)
+{
+  const int group = slot / lanes, i = slot % lanes;
+  BodyGroup &g = b_.groups[group];
+  const double cosine = g.now.c[i], sine = g.now.s[i], h = stage.h, springs = h * stage.follows();
+  const auto local = [&](const Vec3 &a) -> Vec3 {
+    return {a.x * cosine + a.y * sine, a.y * cosine - a.x * sine, a.z};
+  };
+  const PocketSqueeze &film = c.film;
+  const Vec3 x = local(film.x), v = local(film.v), axis = c.spherical ? Vec3() : local(c.axis);
+  const auto share = [&](const double *slope) -> Vec3 {
+    return x * (2.0 * springs * slope[0] + h * slope[1]) +
+           v * (springs * slope[1] + 2.0 * h * slope[2]);
+  };
+  const Vec3 x_share = share(film.spring), v_share = share(film.damper);
+  const double both = springs * film.of.spring + h * film.of.damper;
+  const auto add = [i](Lane *to, const Vec3 &a) {
+    to[0][i] += a.x;
+    to[1][i] += a.y;
+    to[2][i] += a.z;
+  };
+  const Vec3 unit[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 f = (unit[k] - axis * dot(axis, unit[k])) * both + x * dot(x_share, unit[k]) +
+                   v * dot(v_share, unit[k]);
+    for (int row = 0; row < 3; ++row) g.A[6 * row + k][i] += dot(f, unit[row]);
+  }
+  if (!ring.loose) return;
+  g.coupled = true;
+  Vec3 motion[RingProgram::N_DOF];
+  int column[RingProgram::N_DOF], count = 0;
+  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
+    if (ring.column[dof] < 0) continue;
+    column[count] = ring.column[dof];
+    motion[count++] = local(motion_of(dof, m.e, c.lever));
+  }
+  for (int k = 0; k < count; ++k) {
+    const Vec3 &u = motion[k], across = (u - axis * dot(axis, u)) * both;
+    const Vec3 f = across + x * dot(x_share, u) + v * dot(v_share, u);
+    add(system_.B(group, column[k]), -f);
+    add(system_.C(group, column[k]), -(across + x_share * dot(x, u) + v_share * dot(v, u)));
+    for (int o = 0; o < count; ++o) system_.D(column[o], column[k]) += dot(motion[o], f);
   }
 }
 
