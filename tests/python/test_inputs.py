@@ -12,10 +12,26 @@ ROOT = Path(__file__).resolve().parents[2]
 def test_values(tmp_path):
     path = tmp_path / "data"
     path.write_text(
-        "# variable no index 1\nvariable film index film\n  variable  a index\t1.0e-7 # m\nvariable"
-        " b equal 2\nvariable a index 3 # ignored, as in a deck\n"
+        "# variable no index 1\nvariable film index film\n  variable  a index\t1.0e-7 # m\n\n"
+        "variable b index 2#mm, # wide\nvariable a index 3 # ignored, as in a deck\n"
     )
-    assert inputs.values(path) == {"film": "film", "a": "1.0e-7"}
+    assert inputs.values(path) == {"film": "film", "a": "1.0e-7", "b": "2"}
+    assert inputs.comments(path) == {"a": "m", "b": "mm, # wide"}
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["balls: 8", "variable balls 8", "variable balls equal 8", "variable balls index # 8", "balls"],
+)
+def test_line_in_another_form(tmp_path, line):
+    """Decks reject such lines too (`tests/hosts/test_own_deck.py`)."""
+    (tmp_path / "data").write_text(f"variable a index 1\n\n{line}\nvariable b index 2\n")
+    (tmp_path / "own.csv").write_text(f"# data\n{line}\nname,a,source\nrow,4,me\n")
+    for file, name, number in (("data", "data", 3), ("own.csv", "row", 2)):
+        with pytest.raises(inputs.InputError) as error:
+            inputs.values(tmp_path / name)
+        says = f"{tmp_path / file}, line {number}: a line of data is 'variable NAME index VALUE', "
+        assert str(error.value) == f"{says}not '{line}'"
 
 
 def test_first_value_counts(tmp_path):
@@ -47,6 +63,7 @@ def test_composite_roughness(tmp_path):
     ("text", "message"),
     [
         (None, "cannot read"),
+        ("\ufeffvariable viscosity index 0.04\n", "starts with a byte order mark"),
         ("variable permittivity index 2\n", "has no viscosity"),
         (
             "".join(
