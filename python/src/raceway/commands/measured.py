@@ -164,6 +164,8 @@ def _text(figures):
         shaft += (
             f" {figures['rpm_nominal']:g} rpm ({figures['rpm'] / figures['rpm_nominal'] - 1:+.3%})"
         )
+    elif figures["rpm_from"] == "file":
+        shaft += ", as stated in the file"
     elif figures["rpm_from"] == "nominal":
         shaft += ", nominal: the true speed is unknown, because no lines of the shaft agree"
     rows.append(shaft)
