@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tests of the data files for decks."""
 
+import math
 from pathlib import Path
 
 import pytest
-from raceway import inputs
+from raceway import catalogue, inputs
+from raceway.theory.bearing import INNER, OUTER
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -45,6 +47,22 @@ def test_first_value_counts(tmp_path):
 
 def test_bearing(bearing):
     assert inputs.bearing(ROOT / "inputs/bearings/6208") == bearing
+
+
+@pytest.mark.parametrize("name", ["7208", "7205B", "7208C", "6210"])
+def test_pitch_diameter(name):
+    """The stated pitch circle is that of balls that touch both raceways at the contact angle. The
+    circle half-way between the raceways has this size only if both grooves have the same radius or
+    the contact angle is 0."""
+    path = catalogue.find("bearings", name)
+    one, cosine = inputs.bearing(path), math.cos(inputs.nominal_angle(path))
+    stated = inputs.numbers(path, "pitch_diameter")["pitch_diameter"]
+    for side, out in ((INNER, -1), (OUTER, 1)):
+        centre = one.groove_circle(side) + out * one.groove_gap(side) * cosine
+        assert 2 * centre == pytest.approx(stated, rel=1e-15)
+    apart = (one.outer_groove - one.inner_groove) * (1 - cosine)
+    assert 2 * one.pitch_radius - stated == pytest.approx(apart, rel=1e-9, abs=1e-16)
+    assert one.pitch_radius == pytest.approx(stated / 2, rel=5e-4)
 
 
 def test_composite_roughness(tmp_path):
