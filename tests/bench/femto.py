@@ -105,7 +105,7 @@ def integrated(table, start, minutes, seat, housing, capacity):
     def rate(_, t):
         sides, (inner, outer) = table.at(t[:3].mean())
         flow = np.array([inner * (t[0] - t[1]), outer * (t[1] - t[2]), seat * (t[2] - t[3])])
-        gain = np.array(heat.into_nodes(*sides))
+        gain = np.array(heat.into_nodes(*sides)[:4])  # without the oil, which does not flow
         gain -= np.array([*flow, 0.0])
         gain[1:] += flow
         gain[3] -= housing * (t[3] - AMBIENT)

@@ -21,6 +21,7 @@ from raceway.errors import RacewayError, RunError
 POINT = {"bearing": "6306", "load": 1234.5678901234567, "rpm": 1000, "models": "paper"}
 POINT |= {"passes": 1, "settle": 0.5}
 OIL = {"lubricant": "vg46", "viscosity": 0.05}
+TWO = ROOT / "docs/decks/in.two_bearings"  # has no variable resume
 LONG = {"load": 3000, "rpm": 2000, "passes": 60, "keep": 25, "models": "full"}
 
 
@@ -90,11 +91,22 @@ def test_errors_before_anything_runs(tmp_path, monkeypatch):
         ({"host": "lammps", "program": "lmp"}, "host 'lammps' and program 'lmp': give one"),
         ({"program": "no_such_program"}, "there is no program 'no_such_program'"),
         ({"deck": "in.none"}, "cannot read deck in.none"),
+        ({"deck": TWO, "resume": True}, "in.two_bearings has no variable 'resume', so its runs"),
+        ({"deck": TWO, "overwrite": True}, "in.two_bearings has no variable 'overwrite'"),
         ({"out": "two words"}, "out is 'two words': a deck's folder must not contain blanks"),
     ):
         with pytest.raises(RacewayError, match=says):
             raceway.simulate(**wrong)
     assert not list(tmp_path.iterdir())
+
+
+def test_a_deck_without_resume(tmp_path):
+    """The deck runs anew, with results that are bitwise identical to those of the deck by hand."""
+    done = run(TWO, out=tmp_path / "hand", models=None, settle=None)
+    assert done.code == 0, done.text
+    for words in ({}, {"resume": False}):
+        raceway.simulate(deck=TWO, out=tmp_path / "run", **words)
+        assert record(tmp_path / "run") == record(tmp_path / "hand")
 
 
 def _max_load(load):

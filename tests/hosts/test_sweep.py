@@ -17,10 +17,11 @@ from types import SimpleNamespace
 import pandas as pd
 import pytest
 import raceway
-from host import ENVIRONMENT, ROOT, succeed
+from host import ENVIRONMENT, ROOT, run, succeed
 from raceway.cli import main
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
+from raceway.sweeps.points import deck_variables
 
 ENV = {
     **ENVIRONMENT,
@@ -275,9 +276,32 @@ def test_wrong_options(table, arguments):
 
 
 def test_check_runs_nothing(table, tmp_path):
+    table.write_text(table.read_text().replace("2e7", "20"))
     done = sweep(table, "--out", tmp_path / "out", "--check")
     assert (done.returncode, done.stdout) == (0, f"{table}: 4 points\n")
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("deck", ["inputs/in.6208", "inputs/in.many", "docs/decks/in.two_bearings"])
+def test_check_finds_what_the_deck_refuses(tmp_path, deck):
+    """For one wrong value at a time, the message of `--check` is that of the deck. Values that the
+    deck accepts pass, and so do variables that it uses in formulas of its own."""
+    table, known = tmp_path / "t.csv", deck_variables(ROOT / deck)
+    words = {"rpm": (-5, 1e4), "load": (0, "5.0e2"), "clearance": ("1e-2", "-1e-6")}
+    words |= {"passes": (1.5, 2), "axial": ("0x10", 0), "integrator": ("euler", "implicit")}
+    words |= {"moment_x": (1e9, -9), "ball_poisson": (0.9, 0.29), "ramp": (-1, 3e-3)}
+    refused = 0
+    for name in words.keys() & known.keys():
+        wrong, right = words[name]
+        table.write_text(f"{name}\n{right}\n")
+        assert sweep(table, "--deck", deck, "--check").returncode == 0
+        table.write_text(f"{name}\n{wrong}\n")
+        if (checked := sweep(table, "--deck", deck, "--check")).returncode:
+            refused += 1
+            own = {"models": None, "settle": None, name: wrong}
+            said = checked.stderr.partition(f"{name}={wrong}: ")[2].strip()
+            assert said and said in run(deck, out=tmp_path / "out", **own).text, checked.stderr
+    assert refused == (len(words) if deck == "inputs/in.6208" else refused) > 0
 
 
 def slurm(task, tasks, **more):

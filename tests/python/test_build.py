@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The commands that `make` plans are checked: `make run` builds only LIGGGHTS, and host-dependent
-sources share compilation units."""
+"""The commands that `make` plans are checked: `make run` builds only LIGGGHTS, host-dependent
+sources share compilation units, and goals of one call do not write the same files at once."""
 
+import itertools
 import re
 import subprocess
 from pathlib import Path
@@ -72,3 +73,34 @@ def test_an_edit_of_one_part_makes_few_objects_again(everything):
         if "parts/part_drag.h" in (ROOT / made).with_suffix(".d").read_text()
     ]
     assert 0 < len(again) <= 15, again
+
+
+GOALS = ("run", "liggghts", "lammps", "build", "interfaces")
+
+
+@pytest.mark.parametrize("goals", list(itertools.permutations(GOALS, 2)), ids=" ".join)
+def test_goals_of_one_call_follow_each_other(goals, tmp_path):
+    """Each goal calls make, here a script in its place, to compile. The calls are never made side
+    by side, since they write the same objects. The packages of LAMMPS are installed for its goals
+    alone, in any order of the goals."""
+    script, log = tmp_path / "make", tmp_path / "log"
+    script.write_text(f'#!/bin/sh\necho "start $*" >> {log}\nsleep 0.1\necho end >> {log}\n')
+    script.chmod(0o755)
+    plan("-j4", *goals, f"MAKE={script}")  # runs the calls of make alone
+    lines = log.read_text().splitlines()
+    assert [line.split()[0] for line in lines] == ["start", "end"] * (len(lines) // 2), lines
+    lammps = {"lammps", "build"} & set(goals)
+    assert any("liblammps-dev" in line for line in lines) == bool(lammps)
+
+
+def test_units_are_written_by_several_calls_at_once():
+    """The file of a unit is written as a whole, even if several calls of make write it."""
+    units = [f"build/units/{path.name}" for path in (ROOT / "build/units").glob("*.cpp")]
+    before = {unit: (ROOT / unit).stat().st_mtime_ns for unit in units}
+    calls = [
+        subprocess.Popen(["make", "-s", *units], cwd=ROOT, stderr=subprocess.PIPE, text=True)
+        for _ in range(6)
+    ]
+    said = [call.communicate()[1] for call in calls]
+    assert units and not any(call.returncode for call in calls), said
+    assert {unit: (ROOT / unit).stat().st_mtime_ns for unit in units} == before

@@ -3,6 +3,7 @@
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,7 @@ from raceway import film, friction_torque, heat, heat_scene, hertz, inputs, stea
 from raceway.cli import main
 from raceway.core import laws
 from raceway.errors import NoEquilibrium
-from raceway.theory.bearing import INNER
+from raceway.theory.bearing import INNER, DoubleRow
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -161,3 +162,20 @@ def test_a_word_for_a_number_names_its_variable(capsys, tmp_path, name):
     (tmp_path / "mine").write_text(words)
     assert main(["heat", "--bearing", str(tmp_path / "mine"), "--load", "9", "--rpm", "900"]) == 1
     assert f"mine: {name} = quick is not a number" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("spacing", [18e-3, 12.5e-3])
+def test_width_of_two_rows(spacing):
+    """Two bearings side by side, 18 mm wide, have twice the seats of one bearing (ISO 15312) and
+    twice the surfaces in circulating oil. Closer rows have less."""
+    one = steady_heat.Case("7208", "vg46", axial=500.0, rpm=3000.0, oil_flow=1e-5)
+    two = replace(one, double_row=DoubleRow(spacing))
+    assert two.cooling() == pytest.approx((1 + spacing / 18e-3) * one.cooling(), rel=1e-12)
+    assert two.cooling() == pytest.approx(16e3 / 50 * np.pi * (18e-3 + spacing) * 0.12, rel=1e-12)
+    fluid = inputs.lubricant("vg46").at(40.0)
+    of_one, of_two = (
+        heat.oil_flow(of.bearing, of.oil_flow.width, fluid, flow=17.0, inlet=20.0, orbit=130.0)
+        for of in (one.scene(), two.scene())
+    )
+    wider = np.array([1 + spacing / 18e-3, 2.0, 1 + spacing / 18e-3])
+    assert of_two.wetted == pytest.approx(wider * of_one.wetted, rel=1e-12)

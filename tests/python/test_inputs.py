@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tests of the data files for decks."""
 
+import math
 from pathlib import Path
 
 import pytest
-from raceway import inputs
+from raceway import catalogue, inputs
+from raceway.theory.bearing import INNER, OUTER
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -12,10 +14,26 @@ ROOT = Path(__file__).resolve().parents[2]
 def test_values(tmp_path):
     path = tmp_path / "data"
     path.write_text(
-        "# variable no index 1\nvariable film index film\n  variable  a index\t1.0e-7 # m\nvariable"
-        " b equal 2\nvariable a index 3 # ignored, as in a deck\n"
+        "# variable no index 1\nvariable film index film\n  variable  a index\t1.0e-7 # m\n\n"
+        "variable b index 2#mm, # wide\nvariable a index 3 # ignored, as in a deck\n"
     )
-    assert inputs.values(path) == {"film": "film", "a": "1.0e-7"}
+    assert inputs.values(path) == {"film": "film", "a": "1.0e-7", "b": "2"}
+    assert inputs.comments(path) == {"a": "m", "b": "mm, # wide"}
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["balls: 8", "variable balls 8", "variable balls equal 8", "variable balls index # 8", "balls"],
+)
+def test_line_in_another_form(tmp_path, line):
+    """Decks reject such lines too (`tests/hosts/test_own_deck.py`)."""
+    (tmp_path / "data").write_text(f"variable a index 1\n\n{line}\nvariable b index 2\n")
+    (tmp_path / "own.csv").write_text(f"# data\n{line}\nname,a,source\nrow,4,me\n")
+    for file, name, number in (("data", "data", 3), ("own.csv", "row", 2)):
+        with pytest.raises(inputs.InputError) as error:
+            inputs.values(tmp_path / name)
+        says = f"{tmp_path / file}, line {number}: a line of data is 'variable NAME index VALUE', "
+        assert str(error.value) == f"{says}not '{line}'"
 
 
 def test_first_value_counts(tmp_path):
@@ -29,6 +47,22 @@ def test_first_value_counts(tmp_path):
 
 def test_bearing(bearing):
     assert inputs.bearing(ROOT / "inputs/bearings/6208") == bearing
+
+
+@pytest.mark.parametrize("name", ["7208", "7205B", "7208C", "6210"])
+def test_pitch_diameter(name):
+    """The stated pitch circle is that of balls that touch both raceways at the contact angle. The
+    circle half-way between the raceways has this size only if both grooves have the same radius or
+    the contact angle is 0."""
+    path = catalogue.find("bearings", name)
+    one, cosine = inputs.bearing(path), math.cos(inputs.nominal_angle(path))
+    stated = inputs.numbers(path, "pitch_diameter")["pitch_diameter"]
+    for side, out in ((INNER, -1), (OUTER, 1)):
+        centre = one.groove_circle(side) + out * one.groove_gap(side) * cosine
+        assert 2 * centre == pytest.approx(stated, rel=1e-15)
+    apart = (one.outer_groove - one.inner_groove) * (1 - cosine)
+    assert 2 * one.pitch_radius - stated == pytest.approx(apart, rel=1e-9, abs=1e-16)
+    assert one.pitch_radius == pytest.approx(stated / 2, rel=5e-4)
 
 
 def test_composite_roughness(tmp_path):
@@ -47,6 +81,7 @@ def test_composite_roughness(tmp_path):
     ("text", "message"),
     [
         (None, "cannot read"),
+        ("\ufeffvariable viscosity index 0.04\n", "starts with a byte order mark"),
         ("variable permittivity index 2\n", "has no viscosity"),
         (
             "".join(

@@ -25,7 +25,7 @@ PLAIN = set(
     metallic_contacts metallic_share samples bearing_voltage_ratio bearing_voltage_ratio_min
     bearing_voltage_ratio_max bearing_voltage_ratio_mean floor_share discharges discharges_per_s
     full_discharges failed_inner failed_outer balls harmonic order difference prominence values
-    share revolutions_share damage_share
+    share revolutions_share damage_share clipped_share
     kurtosis chi_squared idle_balls residual""".split()
 )
 READINGS = """bearing: 6205

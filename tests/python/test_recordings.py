@@ -10,9 +10,11 @@ import raceway
 import synthetic
 from raceway import envelope, inputs, passages, recording, shaft_speed, spectrum
 from raceway.cli import main
+from raceway.datasets import make
 from raceway.errors import RunError
 from raceway.recordings import orders
 from raceway.recordings.contents import GRAVITY, POUND
+from raceway.sweeps.points import Point
 from scipy import io
 from scipy.io import wavfile
 
@@ -295,6 +297,23 @@ def test_a_measured_speed_is_not_nominal(tmp_path, bearing):
     assert found.speed is None and found.speed_from == "file"
     assert found.rpm == pytest.approx(60 * SHAFT) and found.speed_uncertainty == 0
     assert recording.Recording(file, bearing, nominal=1800).speed_from == "nominal"
+
+
+def test_the_speed_of_a_data_set_is_exact(tmp_path, bearing, capsys):
+    """A file of `raceway dataset` states the speed of its run, unlike a file of CWRU, whose speed
+    is nominal."""
+    noise = np.random.default_rng(4).normal(size=int(RATE))
+    one = make.Record(7, Point("0007", {}), {"flaw": "none", "load": 500.0}, 60 * SHAFT)
+    make._save_matlab(tmp_path / "0007.mat", one, int(RATE), noise)
+    cwru(tmp_path / "130.mat", noise)
+    words = ["measured", str(tmp_path / "0007.mat"), "--bearing", "6205"]
+    assert main([*words, "--json"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    assert said["rpm"] == 60 * SHAFT and (said["rpm_from"], said["load_N"]) == ("file", 500)
+    assert main(words) == 0
+    assert f"shaft {60 * SHAFT:.6g} rpm, as stated in the file\n" in capsys.readouterr().out
+    assert recording.Recording(tmp_path / "0007.mat", bearing).speed_uncertainty == 0
+    assert recording.Recording(tmp_path / "130.mat", bearing, rate=RATE).speed_from == "nominal"
 
 
 def test_angle_of_a_four_point_contact_bearing(tmp_path, capsys):

@@ -180,6 +180,7 @@ def test_command_prints(capsys):
         (["--rpm", "2", "1"], "speeds must be in ascending order"),
         (["--lubricant", "vg46"], "give --rpm above 0"),
         (["--rpm", "9", "--temperature", "70"], "give --lubricant"),
+        (["--rpm", "9", "--frequency", "50"], "--frequency applies to the damping; give --lubr"),
         (["--node", "-1"], "must be at least 0"),
     ],
 )
@@ -187,6 +188,17 @@ def test_wrong_words(words, says, capsys):
     with pytest.raises(SystemExit) as code:
         main(["stiffness", *words])
     assert code.value.code == 2 and says in capsys.readouterr().err
+
+
+def test_frequency(oiled):
+    """A bearing without a lubricant has no dampers, so that its stiffness does not depend on the
+    frequency; that of a bearing with films does."""
+    slow, fast = (
+        rotor.points("6208", 1500.0, 1000.0, frequency=w, **CASE)[0].over.mean for w in (0.0, 1e5)
+    )
+    assert not fast.damping.any() and (slow.stiffness == fast.stiffness).all()
+    wet = rotor.points("6208", 1500.0, 1000.0, frequency=1e5, **OILED)[0].over.mean
+    assert (np.diag(wet.damping) < np.diag(oiled[0].over.mean.damping)).all()
 
 
 def test_incomplete_lubricant(tmp_path, capsys):

@@ -214,6 +214,35 @@ def test_unmoved_ring_has_no_load_parameter(folder, lubricated):
     )
 
 
+@pytest.mark.parametrize(
+    "moved, gap, why",
+    [
+        (0.4, 1e-5, "the ring has moved by less than half the clearance"),
+        (-0.4, 1e-5, "the ring has moved against the load"),
+        (-2.0, -1e-5, "the ring has moved against the load"),
+        (0.6, 1e-5, None),
+        (0.4, -1e-5, None),
+    ],
+)
+def test_load_distribution_factor_of_a_ring_that_is_not_in_equilibrium(
+    folder, lubricated, moved, gap, why
+):
+    """Balls are loaded only if the ring has moved along the load by more than half the clearance.
+    In an unsettled run its mean position may be nearer to the centre, where the factor would not be
+    positive."""
+    rings = [[*ring[:2], 0.0, -moved * abs(gap), *ring[4:]] for ring in lubricated["rings"]]
+    changed = synthetic.changed(dict(lubricated, rings=rings), clearance_m=gap)
+    figures = summary(RunTables(synthetic.write(folder, changed)))
+    assert figures["absent"].get("load_parameter") == why
+    if why is None:
+        assert figures["load_parameter"] == pytest.approx((1 - gap / abs(gap) / 2 / moved) / 2)
+    else:
+        assert figures["load_parameter"] is None and not any(
+            why in one for one in figures["warnings"]
+        )
+        assert re.search(f"load distribution factor +{why}", table(figures))
+
+
 def forced(folder, data, force):
     """Return the results of the run `data` when `force(sample)` (3 numbers) is the force of the
     balls on the inner ring."""

@@ -90,6 +90,25 @@ def test_runs_are_near(tmp_path, case):
     assert ("friction_torque_N_m" in found) == (case != "film")
 
 
+def test_a_shaft_that_turns_backwards(tmp_path):
+    """A bearing that is symmetric about the load's plane has the same results, but for the sign of
+    the cage's speed, which is that of the shaft's."""
+    deck = tmp_path / "in.backwards"
+    text = (ROOT / "inputs/in.6208").read_text()
+    deck.write_text(text.replace("variable b_omega equal 2*", "variable b_omega equal -2*"))
+    both = []
+    for name in (ROOT / "inputs/in.6208", deck):
+        out = tmp_path / str(len(both))
+        succeed(name, out=out, settle=20, models="full", **POINT, **SHORT)
+        own, found, why = beside(out)
+        assert why is None
+        assert found["cage_speed_rad_s"] == pytest.approx(own["cage_speed_rad_s"], rel=0.01)
+        both.append(found)
+    forth, back = both
+    assert forth.pop("cage_speed_rad_s") == pytest.approx(-back.pop("cage_speed_rad_s"), rel=1e-12)
+    assert forth == pytest.approx(back, rel=1e-9)
+
+
 def test_two_bearings_on_a_shaft(tmp_path):
     """Each of two named bearings has its own data and its own oil. Statics holds each ring at the
     position measured in the run, even if the ring slides along the axis."""

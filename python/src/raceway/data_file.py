@@ -3,7 +3,6 @@
 against the ranges allowed in decks (`sweeps.variable_table`)."""
 
 import math
-import re
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
@@ -13,9 +12,6 @@ from raceway import core, data_table
 from raceway.errors import InputError
 from raceway.files import FilePath
 from raceway.sweeps import variable_table
-
-LINE = re.compile(r"\s*variable\s+(\w+)\s+index\s+(\S+)")
-REMARK = re.compile(r"\s*variable\s+(\w+)\s+index\s+\S+\s*#\s*(.*\S)")
 
 
 class Range(NamedTuple):
@@ -41,24 +37,29 @@ class Range(NamedTuple):
 def text(path: FilePath) -> str:
     """Return the text of a data file. If there is no such file, return instead the text that
     represents the row of that name in a table in its folder (`data_table`). Raises `InputError` if
-    neither exists or the file cannot be read."""
+    neither exists, or if the file cannot be read or starts with a byte order mark, which decks
+    reject as well."""
     path = Path(path)
     if not path.is_file() and (row := data_table.text(path)):
         return row
     try:
-        return path.read_text()
+        found = path.read_text()
     except (OSError, UnicodeDecodeError) as error:
         raise InputError(
             f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
         ) from None
+    if found.startswith("\ufeff"):
+        raise InputError(f"{path} starts with a byte order mark: save it as UTF-8 without one")
+    return found
 
 
 def values(path: FilePath) -> dict[str, str]:
     """Return the index variables of a data file as {name: text}. If a name is set twice, the first
-    value counts, as in decks. Raises `InputError` if the file cannot be read or contains a mistyped
-    name. As in decks, a name counts as mistyped if it is not the name of a variable but resembles
-    one that the file does not set. All other names are left to the user."""
-    found = _matches(path, LINE)
+    value counts, as in decks. Raises `InputError` if the file cannot be read or contains a line in
+    another form or a mistyped name. As in decks, a name counts as mistyped if it is not the name of
+    a variable but resembles one that the file does not set. All other names are left to the
+    user."""
+    found = {name: line.value for name, line in _lines(path).items()}
     if wrong := core.mistyped(found):
         raise InputError(f"{path}: {wrong}")
     return found
@@ -66,15 +67,16 @@ def values(path: FilePath) -> dict[str, str]:
 
 def comments(path: FilePath) -> dict[str, str]:
     """Return the comments on the index variables of a data file as {name: comment}. Raises
-    `InputError` if the file cannot be read."""
-    return _matches(path, REMARK)
+    `InputError` as in `values`, except for mistyped names."""
+    return {name: line.comment for name, line in _lines(path).items() if line.comment}
 
 
-def _matches(path, pattern):
-    found: dict[str, str] = {}
-    for line in text(path).splitlines():
-        if match := pattern.match(line):
-            found.setdefault(*match.groups())
+def _lines(path):
+    """Return the first line of each name in a data file as {name: `data_table.Line`}."""
+    found: dict[str, data_table.Line] = {}
+    for number, row in enumerate(text(path).splitlines(), start=1):
+        if line := data_table.line(row, f"{path}, line {number}"):
+            found.setdefault(line.name, line)
     return found
 
 

@@ -1,16 +1,38 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables of data files, `FOLDER/*.csv`, in which each row replaces a data file of the same name
-(see `docs/catalogue.rst` for the format)."""
+"""Lines of data files, and tables of data files, `FOLDER/*.csv`, in which each row replaces a data
+file of the same name (see `docs/catalogue.rst` for the format)."""
 
 import re
 from functools import lru_cache
 from pathlib import Path
+from typing import NamedTuple
 
 from raceway.errors import InputError
 
 # a comment that explains a column or a source
 SAID = re.compile(r"# (\w[\w ]*): (.+)")
 SIZES = ("bore_diameter", "outside_diameter", "bearing_width")
+
+
+class Line(NamedTuple):
+    """A line `variable NAME index VALUE # COMMENT` of a data file."""
+
+    name: str
+    value: str
+    comment: str  # empty if there is none
+
+
+def line(text: str, place: str) -> Line | None:
+    """Return the `Line` that `text` contains, or None if it is blank or a comment. As in decks,
+    words after the value are ignored. Raises `InputError`, which names the `place`, for text in
+    another form."""
+    before, _, comment = text.partition("#")
+    match before.split():
+        case []:
+            return None
+        case ["variable", name, "index", value, *_]:
+            return Line(name, value, comment.strip())
+    raise InputError(f"{place}: a line of data is 'variable NAME index VALUE', not '{text}'")
 
 
 def names(folder: Path) -> list[str]:
@@ -47,28 +69,32 @@ class _Table:
 
     def __init__(self, path):
         self.path = path
-        self.said, self.common, self.rows = {}, [], {}
-        columns = None
+        self.said, self.rows = {}, {}
+        columns, common = None, {}
         try:
             lines = path.read_text(encoding="utf-8-sig").splitlines()
         except (OSError, UnicodeDecodeError) as error:
             raise InputError(
                 f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
             ) from None
-        for number, line in enumerate(lines, start=1):
-            if line.startswith("#"):
-                if said := SAID.match(line):
+        for number, words in enumerate(lines, start=1):
+            place = f"{path}, line {number}"
+            if words.startswith("#"):
+                if said := SAID.match(words):
                     self.said[said[1]] = said[2]
-            elif not line.strip(" ,"):
+            elif not words.strip(" ,"):
                 continue
-            elif columns is None and line.startswith("name,"):
-                columns = line.split(",")
+            elif columns is None and words.startswith("name,"):
+                columns = words.split(",")
             elif columns is None:
-                self.common.append(line.rstrip(","))
+                common[place] = words.rstrip(",")
             else:
-                self._add(columns, line.split(","), f"{path}, line {number}")
+                self._add(columns, words.split(","), place)
         if columns is None:
             raise InputError(f"{path} has no heading that begins with name,")
+        for place, words in common.items():
+            line(words, place)
+        self.common = list(common.values())
         end = columns.index("source") if "source" in columns else len(columns)
         self.variables = columns[1:end]
 

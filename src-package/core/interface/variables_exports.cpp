@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Writes the deck variables as JSON, for Python and the documentation, and checks the names in data
-// files.
+// Writes the deck variables as JSON, for Python and the documentation, and checks names in data
+// files and values of variables.
 #include "../settings/deck_variable_table.h"
 #include "json_text.h"
 
@@ -35,5 +35,15 @@ extern "C" const char *mistyped_name(const char *names)
   std::set<std::string> all;
   for (std::string one; words >> one;) all.insert(one);
   message = bearing::mistyped(all);
+  return message.c_str();
+}
+
+// Returns the reason why a variable cannot have a value, or "" if it can or is unknown. It is valid
+// until the next call from this thread.
+extern "C" const char *wrong_value(const char *name, const char *value)
+{
+  static thread_local std::string message;
+  const bearing::DeckVariable *const of = bearing::find_deck_variable(name);
+  message = of ? bearing::wrong_value(*of, value) : "";
   return message.c_str();
 }

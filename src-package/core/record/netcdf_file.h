@@ -54,7 +54,6 @@ class NetcdfFile {
   std::string put_fixed(int variable, double value);    // writes a scalar that has no time
                                                         // dimension immediately
 
-  bool is_open() const { return file_ >= 0; }
   size_t records() const { return written_ + sending_ + filled_; }
 
  private:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from raceway.commands import Commands, recorded
 from raceway.commands.quantity import number, takes_negative
 from raceway.commands.spectrum import harmonics, plain, table
+from raceway.rows import warning_lines
 from raceway.units import prefixed
 
 if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
@@ -30,7 +31,10 @@ converted to m/s^2.
 
 The nominal speed often differs from the true speed by more than the cage slip. The true speed is
 searched for within 1.5 % of the nominal speed, by means of shaft lines that agree with each other.
---nominal gives the nominal speed for a file that does not state it; --rpm sets the true speed."""
+--nominal gives the nominal speed for a file that does not state it; --rpm sets the true speed.
+
+A warning names channels whose signal exceeded the range of the recorder: its largest or smallest
+value occurs at least six times as often as the next level."""
 EXAMPLES = """\
 examples:
   raceway measured 105.mat --bearing 6205 --rate 12000
@@ -104,11 +108,12 @@ def run(arguments: argparse.Namespace) -> None:
 
         picture(opened, found, lines, arguments.out)
     figures = _figures(opened)
+    said = warning_lines(figures["warnings"])
     if arguments.json:
         figures["lines"] = [plain(line, found.attrs["units"]) for line in lines]
         print(json.dumps(figures, indent=2))
     else:
-        print(_text(figures), "", table(opened, found, lines), sep="\n")
+        print(_text(figures), "", table(opened, found, lines), *said, sep="\n")
 
 
 def _over_time(arguments, opened, found):
@@ -121,7 +126,8 @@ def _over_time(arguments, opened, found):
 
 
 def _figures(opened: "Recording") -> dict[str, Any]:
-    """Return file, speed and levels for JSON."""
+    """Return file, speed, levels and warnings for JSON."""
+    from raceway.recordings import clipping
     from raceway.recordings.recording import level
     from raceway.runs.source import Signal
 
@@ -136,6 +142,7 @@ def _figures(opened: "Recording") -> dict[str, Any]:
                 key: _known(value)
                 for key, value in level(Signal(one.values, 1 / one.rate, {}))._asdict().items()
             },
+            "clipped_share": clipping.share(one.values),
         }
         for name, one in opened.channels.items()
     ]
@@ -149,6 +156,12 @@ def _figures(opened: "Recording") -> dict[str, Any]:
         "rpm_from": opened.speed_from,
         "load_N": _known(opened.load),
         "channels": channels,
+        "warnings": [
+            f"{one['name']} is clipped: {one['clipped_share']:.2g} of its values are at a limit of"
+            " the recorder, so levels are too low and lines have additional harmonics"
+            for one in channels
+            if one["clipped_share"]
+        ],
     }
 
 
@@ -164,6 +177,8 @@ def _text(figures):
         shaft += (
             f" {figures['rpm_nominal']:g} rpm ({figures['rpm'] / figures['rpm_nominal'] - 1:+.3%})"
         )
+    elif figures["rpm_from"] == "file":
+        shaft += ", as stated in the file"
     elif figures["rpm_from"] == "nominal":
         shaft += ", nominal: the true speed is unknown, because no lines of the shaft agree"
     rows.append(shaft)

@@ -103,6 +103,8 @@ def run(arguments: argparse.Namespace) -> None:
         arguments.complain(f"--node is {arguments.node}, must be at least 0")
     if arguments.temperature is not None and arguments.lubricant is None:
         arguments.complain("--temperature applies to the lubricant; give --lubricant")
+    if arguments.frequency is not None and arguments.lubricant is None:
+        arguments.complain("--frequency applies to the damping; give --lubricant")
     if arguments.lubricant is not None and not all(arguments.rpm):
         arguments.complain("--lubricant: a film needs a speed; give --rpm above 0")
 

@@ -12,7 +12,7 @@ from raceway.commands import Commands, options
 from raceway.commands.program import command, end_on_signals
 from raceway.commands.quantity import positive
 from raceway.errors import RacewayError
-from raceway.sweeps.points import deck_variables, read_points
+from raceway.sweeps.points import check_ranges, deck_variables, read_points
 
 HELP = "run a deck for every row of a table"
 DESCRIPTION = """\
@@ -83,7 +83,7 @@ def add(commands: Commands) -> None:
         help="run only the points I, I+N, I+2N, ... of the table",
     )
     parser.add_argument(
-        "--check", action="store_true", help="only check the table, without running it"
+        "--check", action="store_true", help="only check the table, with its ranges"
     )
     parser.add_argument(
         "--slurm", metavar="SCRIPT", help="write a Slurm job array to SCRIPT instead of running it"
@@ -106,6 +106,7 @@ def run(arguments: argparse.Namespace) -> None:
     runs = command(arguments)
     out = Path(arguments.out or Path("build/sweep") / Path(arguments.table).stem)
     if arguments.check:
+        check_ranges(arguments.table, points, arguments.deck)
         print(f"{arguments.table}: {len(points)} points")
     elif arguments.slurm:
         _write_array(arguments, out, len(points))

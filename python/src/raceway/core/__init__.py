@@ -52,14 +52,20 @@ def table(name: str) -> Any:
 def mistyped(names: Iterable[str]) -> str:
     """Return the message that decks print if one of the `names` in a data file is mistyped, or an
     empty string if none is. Raises `NotBuilt`."""
-    return _mistyped(" ".join(names))
+    return _message("mistyped_name", " ".join(names))
 
 
-@functools.cache  # most data files have the same names
-def _mistyped(names):
-    message = ctypes.CDLL(str(_built())).mistyped_name
-    message.restype, message.argtypes = ctypes.c_char_p, [ctypes.c_char_p]
-    return message(names.encode()).decode()
+def wrong_value(name: str, value: str) -> str:
+    """Return the message that decks print if the variable `name` cannot have the `value`, or an
+    empty string if it can. Raises `NotBuilt`."""
+    return _message("wrong_value", name, value)
+
+
+@functools.cache  # most data files have the same names, and many rows of a table the same values
+def _message(function, *words):
+    message = ctypes.CDLL(str(_built()))[function]
+    message.restype, message.argtypes = ctypes.c_char_p, [ctypes.c_char_p] * len(words)
+    return message(*(word.encode() for word in words)).decode()
 
 
 class Laws:

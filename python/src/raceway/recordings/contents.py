@@ -31,7 +31,7 @@ class Contents(NamedTuple):
     channels: dict[str, Channel]
     rpm: float = math.nan  # speed of the inner ring as stated in the file
     load: float = math.nan  # N, radial load
-    measured: bool = False  # True if the speed was measured, i.e. if it is not only nominal
+    measured: bool = False  # True if the speed was measured or is exact, i.e. is not only nominal
 
 
 def channel(path: FilePath, name: str, values: ArrayLike, rate: float, **words: Any) -> Channel:

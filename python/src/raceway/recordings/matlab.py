@@ -79,7 +79,8 @@ def _cwru(path, data):
         if f"X{number}_{end}_time" in data
     }
     rpm, load = (_number(path, data, name) for name in (f"X{number}RPM", "load_N"))
-    return Contents("CWRU", found, rpm, load)
+    # `raceway dataset` alone states a unit; its speed is that of the run, i.e. exact
+    return Contents("CWRU", found, rpm, load, measured=si)
 
 
 def _mfpt(path, data: Mapping[str, Any]):

@@ -107,7 +107,7 @@ class Recording:
     @property
     def speed_from(self) -> str:
         """Source of `rpm`: "given", "lines" of the shaft, or, if no lines show it, "file" for a
-        measured speed in the file and otherwise "nominal"."""
+        measured or exact speed in the file and otherwise "nominal"."""
         if self._given is not None:
             return "given"
         return "lines" if self.speed else "file" if self._measured else "nominal"

@@ -103,11 +103,12 @@ def loading(tables: RunTables) -> Loading | None:
     return Loading(radial, axial, bool(abs(force.mean()) < math.cos(TURNED) * radial))
 
 
-def load_parameter(tables: RunTables, displacement: float) -> float | None:
+def load_parameter(tables: RunTables, displacement: float) -> float | str | None:
     """Return the load distribution factor of a run with the mean radial `displacement` (m).
 
     Return None where it is undefined, i.e. if there is no displacement, if the ring is tilted, or
-    if the load rotates or is not radial.
+    if the load rotates or is not radial. Return the reason as text if the balls do not carry the
+    load in the mean position of the ring, as in a run that has not settled.
     """
     rings, load = _window(tables), loading(tables)
     if not displacement:
@@ -117,7 +118,10 @@ def load_parameter(tables: RunTables, displacement: float) -> float | None:
     tilts = [rings[name].mean() for name in ("tilt_1", "tilt_2") if name in rings]
     if math.hypot(*tilts) * tables.geometry.pitch_radius > FEW * abs(displacement):
         return None
-    return clearance.load_parameter(warm_clearance(tables), displacement)
+    if displacement < 0:
+        return "the ring has moved against the load"
+    factor = clearance.load_parameter(warm_clearance(tables), displacement)
+    return factor if factor > 0 else "the ring has moved by less than half the clearance"
 
 
 def _kept(tables):

@@ -75,6 +75,9 @@ def _figures(tables, run):
         one["power_loss_W"] = sum(one["losses_W"].values()) if one["losses_W"] else None
     result = {key: _mean(found, key) for key in MEANS}
     result |= {key: _mean(found, name) for key, name in RENAMED.items()}
+    if result["cage_speed_rad_s"] is not None:  # statics is solved for the magnitude of the speed
+        forwards = tables.turning.shaft_speed(tables.first, tables.last).mean() >= 0
+        result["cage_speed_rad_s"] *= 1 if forwards else -1
     result |= {key: max(one[key] for one in found) for key in LARGEST if found[0].get(key)}
     top = max(found, key=lambda one: one["q_inner_max_N"])
     result |= {key: top.get(key) for key in AT_LARGEST_LOAD}

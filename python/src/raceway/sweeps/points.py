@@ -6,20 +6,21 @@ import csv
 import hashlib
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from raceway import units
+from raceway import core, units
 from raceway.errors import RacewayError, near
 from raceway.files import FilePath
 from raceway.sweeps import variable_table
 
 INDEX = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)", re.MULTILINE)
 # patterns that find variables that a command uses if they exist, the command that reads the data of
-# a bearing, and a deck in the same folder
+# a bearing, a word that ends with the value of a variable, and a deck in the same folder
 VARS = re.compile(r"^(?!\s*#)(?:[^#\n]|&\n)*?\bvars ((?:\w+[ \t]*)+)", re.MULTILINE)
 BEARING = re.compile(r"^bearing\s", re.MULTILINE)
+USED = re.compile(r"\$\{(\w+)\}$")
 DECK = re.compile(r"^include \S*?/(in\.\S+)", re.MULTILINE)
 # Values and paths may contain these characters, none of which is special in a deck or a shell.
 WORD = re.compile(r"[A-Za-z0-9_.+/-]+")
@@ -161,6 +162,45 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
     if wrong:
         raise TableError(f"{table}: {_some(wrong)}")
     return points
+
+
+def check_ranges(table: FilePath, points: Sequence[Point], deck: FilePath) -> None:
+    """Raise `TableError` with the message of the `deck` for values in the `table` that it refuses
+    before it runs, i.e. for variables that it passes to a command under their own names."""
+    passed = _passed(Path(deck))
+    wrong = [
+        f"{point.name}: {message}"
+        for point in points
+        for name, value in point.variables.items()
+        if name in passed and (message := core.wrong_value(name, value))
+    ]
+    if wrong:
+        raise TableError(f"{table}: {_some(wrong)}")
+
+
+def _passed(path):
+    """Return the names of the variables whose ranges the deck at `path` checks (see
+    `NameBearing::refuse_unknown`): those after `vars`, those in the form `load ${load}` or `moment
+    ${moment_x}`, those of the main deck if the deck has all of them, and the data of bearings if it
+    reads them."""
+    text, names = path.read_text(), deck_variables(path)
+    found = set(" ".join(VARS.findall(text)).split())
+    for line in re.sub(r"&\s*\n", " ", text).splitlines():
+        words, keyword = line.partition("#")[0].split(), "variable"
+        for word in words if words[:1] != ["variable"] else ():
+            if not (name := USED.search(word)):
+                keyword = word if word[0].isalpha() else keyword
+            elif f"{name[1]}_".startswith(f"{keyword}_") or word == f"bearing/{name[0]}":
+                found.add(name[1])
+    rows = variable_table.rows()
+    main = {row["name"] for row in rows if "deck" in row["of"].split("|")}
+    found |= main if main <= names.keys() else set()
+    found |= {row["name"] for row in rows if path.name in row["of"].split("|")}
+    if BEARING.search(text):
+        found |= {row["name"] for row in rows if "bearing data" in row["of"].split("|")}
+    for name in DECK.findall(text):
+        found |= _passed(path.parent / name)
+    return found
 
 
 def _some(wrong):

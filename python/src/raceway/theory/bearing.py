@@ -198,7 +198,12 @@ class Bearing:
 
     @property
     def pitch_radius(self) -> float:
-        """Radius half-way between the raceways without clearance, m."""
+        """Radius half-way between the raceways without clearance, m.
+
+        It is that of the centres of the balls at a contact angle of 0. If they touch both raceways
+        at the angle alpha, as in the definition of `pitch_diameter` in data files, that of their
+        centres is smaller by (r_co - r_ci)(1 - cos(alpha))/2.
+        """
         return (self.inner_radius + self.outer_radius) / 2
 
     @property

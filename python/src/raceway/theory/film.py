@@ -64,11 +64,6 @@ def h_c(r_x: Numbers, g: Group, printed: bool = False) -> Numbers:
     return r_x * laws.film_thickness(PRINTED if printed else MASJEDI_KHONSARI, *g).h_c
 
 
-def speed_exponent(kappa: Numbers, printed: bool = False) -> Numbers:
-    """Return d(ln h_c)/d(ln u) of `h_c`."""
-    return laws.film_exponents(PRINTED if printed else MASJEDI_KHONSARI, kappa).speed
-
-
 def load_exponent(kappa: Numbers, printed: bool = False) -> Numbers:
     """Return -d(ln h_c)/d(ln Q) of `h_c`."""
     return -laws.film_exponents(PRINTED if printed else MASJEDI_KHONSARI, kappa).load

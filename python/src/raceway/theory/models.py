@@ -13,7 +13,8 @@ CAPACITANCE = ("paper", "full")  # eyring has the same films as full
 # In the main deck it is 29 uN m, whereas the makers' formulas give 146 mN m.
 WITHOUT_LOSSES = ("paper", "film")
 LOSSES = ("friction_torque_N_m", "power_loss_W", "losses_W", "asperity_share")
-HEADLINES = ("friction_torque_N_m",)  # if one of these is absent, a table shows the reason instead
+# if one of these is absent, a table shows the reason instead
+HEADLINES = ("friction_torque_N_m", "load_parameter")
 
 
 def absent(models: str | None, keys: Iterable[str]) -> dict[str, str]:

@@ -149,8 +149,13 @@ class Case:
         if "bearing_width" not in inputs.values(path):
             raise inputs.InputError(f"{path} has no bearing_width, which the oil flow needs")
         inlet = self.ambient if self.oil_inlet is None else self.oil_inlet
-        width = inputs.numbers(path, "bearing_width")["bearing_width"]
-        return CirculatingOil(self.oil_flow, inlet, width)
+        return CirculatingOil(self.oil_flow, inlet, self._width(path))
+
+    def _width(self, path):
+        """Return the width in m over all rows. Its file states that of one row, from whose planes
+        of balls the sides of the bearing are half that width away. Raises `RacewayError`."""
+        one = inputs.numbers(path, "bearing_width")["bearing_width"]
+        return one if self.double_row is None else one + self.double_row.spacing
 
     def cooling(self) -> float | None:
         """Return the conductance in W/K, or None if `nodes` are given. Raises `RacewayError`."""
@@ -166,7 +171,8 @@ class Case:
             raise inputs.InputError(
                 f"{path} has no {', '.join(sorted(missing))} for ISO 15312: give --conductance"
             )
-        return heat.cooling(*(1e3 * size for size in inputs.numbers(path, *names).values()))
+        bore, outside = inputs.numbers(path, *names[:2]).values()
+        return heat.cooling(1e3 * bore, 1e3 * outside, 1e3 * self._width(path))
 
     def steady(self, scene: Scene) -> dict[str, Any]:
         """Return the steady-state results of the `Scene`. Raises `NoEquilibrium`."""
