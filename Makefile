@@ -374,7 +374,7 @@ install-tree uninstall-tree:
 tree: setup
 	@$(MAKE) --no-print-directory -s build/tree/lmp_raceway
 
-# a link to the program, which is linked only if an object has changed
+# a link to the program; the host's makefile finds out what must be compiled
 build/tree/lmp_raceway: FORCE
 	@echo "  TREE build/tree (minutes the first time)"
 	@python3 tests/debian_tree.py $(SANITIZE)
