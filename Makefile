@@ -347,9 +347,9 @@ build/plugin/libraceway_lammps.so: $(PLUGIN_OBJECTS)
 $(eval $(call objects,build/plugin/obj,$$(MPICXX) $$(FLAGS) $$(PLUGIN_FLAGS),own LAMMPS,$(PLUGIN_SETTINGS)))
 
 # ---- LIGGGHTS with sanitizers -----------------------------------------------------------------------------
-# AddressSanitizer and UndefinedBehaviorSanitizer, for the tests. The objects are those of the source tree, which
-# have sanitizers, so that they are compiled once for both programs; Debian's headers are those of the tree. The
-# second compiler takes half as long as g++; without optimisation the time is halved again.
+# AddressSanitizer and UndefinedBehaviorSanitizer, for the tests. The objects are those of the
+# source tree, so that they are compiled once for both programs; the headers of Debian's library are
+# those of the tree. clang takes half as long as g++; without optimisation the time is halved again.
 sanitized: setup
 	@$(MAKE) --no-print-directory -s -j2 build/sanitized/liggghts
 
