@@ -1,7 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Distribute the tests among processes by file, because the tests in a file share runs. The
-examples on the documentation pages are distributed one by one."""
+examples on the documentation pages are distributed one by one.
 
+Python's garbage collector is off while pytest collects the tests, because it finds hardly anything
+to free, and it ignores these objects afterwards. The collection takes three quarters of the time,
+in every process.
+"""
+
+import gc
+
+import pytest
 from xdist.scheduler import LoadFileScheduling
 
 
@@ -13,3 +21,13 @@ class Scheduling(LoadFileScheduling):
 
 def pytest_xdist_make_scheduler(config, log):
     return Scheduling(config, log)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection():
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()

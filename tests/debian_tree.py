@@ -2,7 +2,7 @@
 """Install Raceway in an upstream LIGGGHTS source tree that comes from Debian's tarball, and build
 build/tree/lmp_raceway.
 
-    python3 tests/debian_tree.py
+    python3 tests/debian_tree.py [FLAG ...]
 
 apt runs with a private configuration under build/source, which has separate folders and takes its
 sources from those of the machine; the user's apt is not changed. Files that already exist are
@@ -10,6 +10,9 @@ neither fetched nor rebuilt. The build is unoptimised and uses clang, because op
 multiplies the compile time, and g++ takes one and a half times as long as clang. The headers that
 most of the host's sources include are precompiled for them. They are not precompiled for Raceway's
 sources, so that each Raceway source still has to include what it needs.
+
+The flags are those of sanitizers. Raceway's sources are compiled with them, and as code of a shared
+library, because the Makefile also links the objects to Debian's LIGGGHTS (build/sanitized).
 """
 
 import json
@@ -27,6 +30,7 @@ import source_tree  # noqa: E402
 
 COMPILER, HEADER = TREE / "compiler", TREE / "host.h"
 OWN = "-DRACEWAY_ONE_TARGET"  # a flag that only Raceway's sources are compiled with
+SHARED = "-g1 -fPIC -fvisibility=hidden"
 # as C++17, clang rejects the `register` variables in the host's sources
 SCRIPT = f"""#!/bin/sh
 export OMPI_CXX=clang++
@@ -182,7 +186,7 @@ def precompile(src):
     run(COMPILER, *flags, "-I", src, "-x", "c++-header", "-c", HEADER, "-o", f"{HEADER}.pch")
 
 
-def main():
+def main(sanitizers):
     tree = unpacked(TREE / "liggghts")
     manifest = tree / "src" / source_tree.MANIFEST
     wanted = {
@@ -194,12 +198,16 @@ def main():
     if not manifest.exists():
         run(sys.executable, INSTALLER, "install", tree)
     precompile(tree / "src")
-    levels = "OPTIMISE_HOST=-O0", f"OPTIMISE=-O0 {OWN}"
-    run("make", "-j2", "raceway", f"CC={COMPILER}", *levels, cwd=tree / "src")
+    flags = [
+        "OPTIMISE_HOST=-O0",
+        f"OPTIMISE=-O0 {OWN} {SHARED} {sanitizers}",
+        f"LINKFLAGS={sanitizers}",
+    ]
+    run("make", "-j2", "raceway", f"CC={COMPILER}", *flags, cwd=tree / "src")
     program = TREE / "lmp_raceway"
     program.unlink(missing_ok=True)
     program.symlink_to("liggghts/src/lmp_raceway")
 
 
 if __name__ == "__main__":
-    main()
+    main(" ".join(sys.argv[1:]))

@@ -86,8 +86,9 @@ def test_roots_are_continuous_through_loss_of_contact(gap, law):
         assert opens and not begins
         assert 0 < found.load < 1.1 * gap.stiffness * (1e-9 * edge) ** 1.5
         overlaps = np.linspace(-edge * (1 - 1e-9), 2e-6, 801)
-        loads = np.array([gap.cpp(d, speed, **law)[1].load for d in overlaps])
-        slopes = np.array([gap.cpp(d, speed, **law)[1].slope for d in overlaps])
+        contacts = [gap.cpp(d, speed, **law)[1] for d in overlaps]
+        loads = np.array([one.load for one in contacts])
+        slopes = np.array([one.slope for one in contacts])
         rises = np.diff(loads)
         assert np.all(rises > 0)
         # a jump in the load would exceed the slopes at both ends and the steep rise at the edge

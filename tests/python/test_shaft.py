@@ -2,6 +2,8 @@
 """Shafts on bearings are compared with closed-form solutions for beams and with the statics of a
 single bearing."""
 
+import contextlib
+import io
 import json
 
 import numpy as np
@@ -184,9 +186,17 @@ def test_mistakes():
 # ---- the command
 
 
-def test_command(capsys, tmp_path):
-    assert main(["shaft", str(MOTOR), "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+@pytest.fixture(scope="module")
+def motor():
+    """Return what `raceway shaft` prints for the motor with --json."""
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out):
+        assert main(["shaft", str(MOTOR), "--json"]) == 0
+    return out.getvalue()
+
+
+def test_command(motor, capsys, tmp_path):
+    found = json.loads(motor)
     first, second = found["bearings"]
     assert first["load_z_N"] == 0.0 and second["load_z_N"] == pytest.approx(400.0, rel=1e-6)
     # moments about the second bearing, with lever arms of 0.06 m (belt) and 0.3 m; the tilts
@@ -200,14 +210,13 @@ def test_command(capsys, tmp_path):
     assert (tmp_path / "x.png").stat().st_size > 10_000
 
 
-def test_several_speeds(capsys):
+def test_several_speeds(motor, capsys):
     """Each entry equals the result of a run at that speed alone; results below the accuracy of the
     equilibrium are 0."""
     speeds = ["1500", "9000"]
     assert main(["shaft", str(MOTOR), "--rpm", *speeds, "--json"]) == 0
     both = json.loads(capsys.readouterr().out)
-    assert main(["shaft", str(MOTOR), "--json"]) == 0
-    assert both[0] == json.loads(capsys.readouterr().out)
+    assert both[0] == json.loads(motor)
     assert [one["rpm"] for one in both] == [1500.0, 9000.0]
     said = shaft_command.over_speed(both).splitlines()
     assert len(said) == 3 and said[2].split()[0] == "9000"
