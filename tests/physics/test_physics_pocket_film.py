@@ -161,8 +161,9 @@ def test_a_cylindrical_pocket_solves_reynolds_equation(physics, clearance):
 
 @pytest.mark.parametrize("spherical", [0, 1])
 def test_close_to_the_wall_the_force_is_that_of_two_curved_surfaces(physics, spherical):
-    """The pressure A/h^2 solves Reynolds' equation in the gap between two surfaces with the relative
-    radii of curvature r_x and r_y. Its integral is 12 pi eta v sqrt(r_x r_y)/(h (1/r_x + 1/r_y))."""
+    """The pressure A/h^2 solves Reynolds' equation in the gap between two surfaces with the
+    relative radii of curvature r_x and r_y. Its integral is 12 pi eta v sqrt(r_x r_y)/(h (1/r_x +
+    1/r_y))."""
     r_x = RADIUS**2 / CLEARANCE
     r_y = r_x if spherical else RADIUS
     e = 1 - 1e-7
