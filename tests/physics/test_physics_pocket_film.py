@@ -78,8 +78,8 @@ def test_derivatives_of_the_coefficients(physics, spherical):
         s = squeeze(physics, x, v, spherical)
         for way in np.eye(3)[:plane]:
             for moved, size, slopes in (
-                (1, 1e-10, lambda k, w=way: 2 * k[0] * x @ w + k[1] * v @ w),
-                (0, 1e-7, lambda k, w=way: k[1] * x @ w + 2 * k[2] * v @ w),
+                (1, 1e-10, lambda k, w=way, x=x, v=v: 2 * k[0] * x @ w + k[1] * v @ w),
+                (0, 1e-7, lambda k, w=way, x=x, v=v: k[1] * x @ w + 2 * k[2] * v @ w),
             ):
                 step = way * size
                 ends = [

@@ -4,15 +4,16 @@
 // The oil forms a band of the height H around the ball, in a gap h = c (1 - e cos(theta)), where e
 // is the displacement of the ball divided by the clearance c. As in a short bearing (DuBois and
 // Ocvirk, NACA Report 1157, 1953), the line load is eta L^3 v cos/h^3 on the side that the ball
-// approaches. It is zero on the other side, where the film cavitates. The integrals over half of the
-// band are exact (substitution of Sommerfeld; Booker, J. Basic Eng. 87, 1965).
+// approaches. It is zero on the other side, where the film cavitates. The integrals over half of
+// the band are exact (substitution of Sommerfeld; Booker, J. Basic Eng. 87, 1965).
 //
 // The effective width L depends on the shape of the pocket. Close to the wall of a spherical pocket
-// the oil also escapes along the band, and the force approaches that between two spheres, 6 pi eta
-// v (R^2/c)^2/h (Reynolds' equation with p ~ 1/h^2). In a cylindrical pocket the gap widens with the
-// distance y from the middle of the band to h + y^2/(2R), so the line load is 3 pi sqrt(2) eta v cos
-// (R/h)^(3/2). Between these limits L is a fit. With it, the force is within 12 % of numerical
-// solutions of Reynolds' equation (test_physics_pocket_film.py). All values are in SI units.
+// the oil also escapes along the band, and the force approaches that between two spheres, which is
+// 6 pi eta v (R^2/c)^2/h (Reynolds' equation with p ~ 1/h^2). In a cylindrical pocket the gap
+// widens with the distance y from the middle of the band to h + y^2/(2R), so the line load is
+// 3 pi sqrt(2) eta v cos (R/h)^(3/2). Between these limits L is a fit. With it, the force is within
+// 12 % of numerical solutions of Reynolds' equation (test_physics_pocket_film.py). All values are
+// in SI units.
 #ifndef RACEWAY_POCKET_FILM_H
 #define RACEWAY_POCKET_FILM_H
 
