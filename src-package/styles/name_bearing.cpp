@@ -41,8 +41,6 @@ void NameBearing::command(int narg, char **arg)
     }
   }
   if (!b.balls) args.fail("'types BALLS CAGE INNER OUTER' is missing");
-  b.has_cage = cage == "yes" || cage == "chain";
-  b.has_cage_ring = cage == "ring";
   const int types[] = {b.balls, b.cage, b.inner, b.outer};
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < i; ++j)
@@ -50,7 +48,13 @@ void NameBearing::command(int narg, char **arg)
   refuse_unknown(args, inputs);
   b.data = bearing::read_data(lmp, args, inputs, "bearings", data);
   b.given = bearing::given_of(b.data, {"bearing data", "usual data"});
-  if (b.has_cage_ring) refuse_chain_data(args, b);
+  const std::string balls = cage_ball_datum(b);
+  if (cage == "auto") cage = balls.empty() && runs_with_ring() ? "ring" : "chain";
+  b.has_cage = cage == "yes" || cage == "chain";
+  b.has_cage_ring = cage == "ring";
+  if (b.has_cage_ring && !balls.empty())
+    args.fail(balls + " belongs to a cage of balls, but the cage of bearing " + b.name +
+              " is a ring: give it cage_play, or choose 'cage chain'");
   for (const auto &value : own) b.data.values[value.first] = value.second;
   b.data.values.emplace("bearing", data);
   if (const std::string note = bearing::note_of_deck(b.data); !note.empty())
@@ -103,15 +107,25 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
   if (!complaint.empty()) args.fail(complaint);
 }
 
-// Stops with an error if the user has set data for cage balls although the cage is a one-piece
-// cage, which does not use them.
-void NameBearing::refuse_chain_data(const Arguments &args, const NamedBearing &b)
+// Returns the name of data for cage balls that the user has set, or an empty string.
+std::string NameBearing::cage_ball_datum(const NamedBearing &b)
 {
   for (const std::string &given : b.given)
     for (const std::string name : {"cage_ball_diameter", "pocket_play"})
-      if (given.compare(0, name.size() + 1, name + "=") == 0)
-        args.fail(name + " belongs to a cage of balls, but the cage of bearing " + b.name +
-                  " is a ring: give it cage_play, or choose 'cage chain'");
+      if (given.compare(0, name.size() + 1, name + "=") == 0) return name;
+  return "";
+}
+
+// Returns true if the deck's variables are those of a scene whose cage is one ring unless stated
+// otherwise: the models `full`, implicit steps, and a lubricant, without which balls strike their
+// pockets.
+bool NameBearing::runs_with_ring()
+{
+  const auto is = [&](const char *variable, const std::string &value) {
+    const auto found = bearing::host_variable(lmp, variable);
+    return found && *found == value;
+  };
+  return is("models", "full") && is("integrator", "implicit") && !is("lubricant", "dry");
 }
 
 // Completes the data and derives the dimensions of the raceways, including their clearance or their

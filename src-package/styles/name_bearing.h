@@ -17,7 +17,7 @@ struct NamedBearing;
 namespace LAMMPS_NS {
 
 // bearing NAME FILE|ROW types B C I O [clearance X] [contact_angle A] [four_point A]
-// [cage yes|no|ring|chain] [inputs FOLDER] [vars K ...]: reads the data of a bearing for later
+// [cage auto|yes|no|ring|chain] [inputs FOLDER] [vars K ...]: reads the data of a bearing for later
 // commands that refer to it by name, and sets the variables NAME_... of the host. Stops with an
 // error if -var sets a variable that is defined neither in the deck nor in the data.
 class NameBearing : public bearing::CommandBase {
@@ -27,7 +27,8 @@ class NameBearing : public bearing::CommandBase {
 
  private:
   void refuse_unknown(const bearing::Arguments &, const std::string &inputs);
-  static void refuse_chain_data(const bearing::Arguments &, const bearing::NamedBearing &);
+  static std::string cage_ball_datum(const bearing::NamedBearing &);
+  bool runs_with_ring();
   void derive(const bearing::Arguments &, bearing::NamedBearing &);
   void set_variables(const bearing::NamedBearing &);
 };

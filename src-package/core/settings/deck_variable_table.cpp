@@ -57,9 +57,10 @@ const std::vector<DeckVariable> &deck_variables()
        "nominal contact angle of a bearing with usual data, which determines the clearance"},
       {"four_point", "0", "degrees", "5 60 or 0", "bearing",
        "contact angle of a Gothic arch; 0: one groove per ring"},
-      {"cage", "yes", "", "one_of yes no ring chain", "bearing",
+      {"cage", "yes", "", "one_of auto yes no ring chain", "bearing",
        "yes or chain: small balls on two rails; ring: one rigid ring; no: no cage, so that balls "
-       "may touch each other"},
+       "may touch each other; auto: ring with the models full, implicit steps and a lubricant, "
+       "otherwise chain"},
       {"cage_play", "0", "m", "1.0e-6 0.1 or 0", "bearing/cage/ring",
        "total play of a ball in its pocket along the pitch circle; 0: estimated"},
       {"cage_across", "0", "m", "1.0e-6 0.1 or 0", "bearing/cage/ring",

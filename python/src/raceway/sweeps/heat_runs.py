@@ -99,7 +99,7 @@ def _variables(case, temperature, clearance, more):
         **({} if case.spin_law == "closed" else {"spin_law": case.spin_law}),
         "lubrication": case.supply.kind,
         "oil_level": f"{case.supply.level:.10g}",
-        **({} if case.cage is None else _cage(case.cage)),
+        **({"cage": "chain"} if case.cage is None else _cage(case.cage)),
         **({} if angle is None else {"four_point": f"{math.degrees(angle):.9g}"}),
         **more,
     }

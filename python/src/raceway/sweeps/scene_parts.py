@@ -67,6 +67,8 @@ def choices(
 
 
 def _all_choices(lubricated, values):
+    if values.get("cage") == "auto":  # with the models of the reference
+        values = {**values, "cage": "ring" if lubricated else "chain"}
     return [
         Choice(
             row["name"],
