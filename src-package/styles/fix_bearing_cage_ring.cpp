@@ -76,6 +76,16 @@ void FixBearingCageRing::init()
   turn_to_balls();
 }
 
+void FixBearingCageRing::set_viscosity(const std::string &bearing, double viscosity)
+{
+  if (bearing_ != bearing || cage_.oil == 0.0) return;
+  const double share = viscosity / cage_.oil;
+  all_.of.shear = share * cage_.of.shear;
+  all_.of.film.viscosity = share * cage_.of.film.viscosity;
+  all_.of.land.viscosity = viscosity;
+  if (cage_.of.oil_share > 0.0) all_.of.oil_viscosity = viscosity;
+}
+
 // Rotates the cages of a named bearing so that a pocket is initially at the first ball. The state
 // in a restart file contains the angles by which the cages have rotated since the start.
 void FixBearingCageRing::turn_to_balls()

@@ -26,6 +26,9 @@ class FixBearingCageRing : public FixBearingRing {
   void pre_force(int) override;
   double compute_vector(int) override;
 
+  // Sets the viscosity of the oil (Pa s) during a run, for the cages of the named bearing.
+  void set_viscosity(const std::string &bearing, double);
+
   const bearing::CagePockets &pockets() const { return all_; }
   const bearing::CageSettings &settings() const { return cage_; }    // also valid before a run
 

@@ -5,6 +5,7 @@
 #include "../core/geometry/usual_data.h"
 #include "../core/settings/arguments.h"
 #include "ball_pass.h"
+#include "fix_bearing_cage_ring.h"
 #include "fix_bearing_implicit.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
@@ -235,13 +236,16 @@ void FixBearingHeat::begin_step()
     grow(std::min(1.0, (now_.since + update->dt) / pass_));
 }
 
-// Adapts the contact law to the temperature of the oil, and sets the thermal expansion of the
+// Adapts contact law and cage to the temperature of the oil, and sets the thermal expansion of the
 // surfaces.
 void FixBearingHeat::apply_oil()
 {
-  if (!dry_)
+  if (!dry_) {
     pair_->set_oil_temperature(Arguments(lmp, bearing::name_of(*this), {}), bearing_->name,
                                now_.oil);
+    for (FixBearingCageRing *f : bearing::fixes_of<FixBearingCageRing>(lmp))
+      f->set_viscosity(bearing_->name, oil_datum("viscosity"));
+  }
   const bool moves = now_.stage == RAMP || now_.stage == LAST;
   grow(moves ? std::min(1.0, now_.since / pass_) : 1.0);
   for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) f->laws_changed();

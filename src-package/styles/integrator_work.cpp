@@ -5,6 +5,8 @@
 #include "fix_bearing_implicit.h"
 #include "fixes.h"
 
+#include <cmath>
+
 using namespace LAMMPS_NS;
 
 bearing::IntegratorWork bearing::integrator_work(LAMMPS *lmp)
@@ -18,7 +20,7 @@ bearing::IntegratorWork bearing::integrator_work(LAMMPS *lmp)
   for (FixBearingImplicit *f : implicit) {
     const double steps = f->compute_vector(STEPS);
     w.steps += steps;
-    w.evaluations += steps * f->compute_vector(CORRECTIONS);
+    w.evaluations += std::round(steps * f->compute_vector(CORRECTIONS));    // a whole number
     systems += f->systems();
   }
   if (systems > 0.0) {

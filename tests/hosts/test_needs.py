@@ -77,7 +77,7 @@ def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
     for word, most in WANTED.items():
         assert abs(picked[word] / exact[word] - 1) <= most, word
         assert found["best"]["errors"][word] <= most, word
-    assert found["best"]["evaluations"] < 0.2
+    assert found["best"]["evaluations"] < 0.35
     times = found["processor_s"]  # three separate runs for each set
     assert {len(one) for one in times.values()} == {3}
     assert not set(times["reference"]) & set(times["picked"])
@@ -100,7 +100,7 @@ def reference(answered):
     own, _, folder = answered
     for point in folder.glob("*/summary.json"):
         asked = (point.parent / "run.yaml").read_text()
-        words = ("tolerance=1e-10", "samples=400", "without=none", "cage=chain")
+        words = ("tolerance=1e-10", "samples=400", "without=none", "cage=ring")
         if all(word in asked for word in (*words, "surroundings=flooded")):
             found = json.loads(point.read_text())
             if found["models"] == "full" and found["integrator"] == "implicit":

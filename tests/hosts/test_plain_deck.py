@@ -114,7 +114,7 @@ def test_settles_by_itself(tmp_path):
         ({"temperature": 80}, "has values for 40 C only, not for 80 C"),
         ({"viscosity": -1}, "pair_style bearing: viscosity (Pa s) is -1, must be from 1e-05 to"),
         ({"integrator": "euler"}, "integrator is 'euler', must be one of implicit, damping"),
-        ({"cage": "maybe"}, "bearing: cage is 'maybe', must be one of yes, no"),
+        ({"cage": "maybe"}, "bearing: cage is 'maybe', must be one of auto, yes, no"),
     ],
     ids=lambda value: "" if isinstance(value, str) else "-".join(value),
 )

@@ -12,7 +12,12 @@ SHORT = {"passes": 1, "settle": 1, "samples": 20, "record": "all"}
 # (variables of the main deck, cage that the run then has)
 CAGES = [
     ({}, "chain"),
-    ({"models": "full"}, "chain"),
+    ({"models": "full"}, "ring"),
+    ({"models": "film"}, "chain"),
+    ({"models": "full", "lubricant": "dry"}, "chain"),
+    ({"models": "full", "integrator": "verlet"}, "chain"),
+    ({"models": "full", "pocket_play": 3e-5}, "chain"),
+    ({"models": "full", "cage": "chain"}, "chain"),
     ({"models": "paper", "cage": "chain"}, "chain"),
     ({"models": "paper", "cage": "ring"}, "ring"),
     ({"models": "full", "cage": "ring"}, "ring"),
@@ -68,7 +73,7 @@ def test_command(tmp_path, line):
         ({"cage": "chain", "cage_play": 1e-4}, "cage_play belongs to bearing/cage/ring"),
         ({"models": "paper", "cage_play": 1e-4}, "cage_play belongs to bearing/cage/ring"),
         ({"cage": "no", "cage_mass": 0.01}, "cage_mass belongs to bearing/cage/ring"),
-        ({"cage": "rings"}, "cage is 'rings', must be one of yes, no, ring, chain"),
+        ({"cage": "rings"}, "cage is 'rings', must be one of auto, yes, no, ring, chain"),
     ],
     ids=lambda value: "" if isinstance(value, str) else "-".join(value),
 )
@@ -98,7 +103,7 @@ def test_a_chain_for_a_ring_is_refused(tmp_path):
 def test_first_balls_of_many_bearings(tmp_path):
     """In a grid of bearings, every cage starts with a pocket at the first ball of its bearing. A
     ball starts in the middle of its pocket and does not cross half the play (0.16 mm) within 2
-    ms."""
+    ms, so without a squeeze film there is no force."""
     words = {
         "bearings": 5,
         "columns": 3,
@@ -106,6 +111,7 @@ def test_first_balls_of_many_bearings(tmp_path):
         "record": "all",
         "phase": 0.2,
         "cage": "ring",
+        "cage_without": "film",
     }
     succeed("inputs/in.many", out=tmp_path, **words)
     whole = Run(tmp_path)

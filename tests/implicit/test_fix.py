@@ -307,7 +307,12 @@ def test_cage_balls_may_be_farther_off(tmp_path):
     found = []
     for cage in (1e-9, 1e-6):
         succeed(
-            "inputs/in.6208", out=tmp_path / str(cage), models="full", passes=1, cage_tolerance=cage
+            "inputs/in.6208",
+            out=tmp_path / str(cage),
+            models="full",
+            cage="chain",
+            passes=1,
+            cage_tolerance=cage,
         )
         found.append(summary(RunTables(tmp_path / str(cage))))
     fine, coarse = found
@@ -325,8 +330,8 @@ def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
     found = {}
     for cage, more in ((1e-7, {}), (1e-6, {}), (1e-10, dict(tolerance=1e-10))):
         out = tmp_path / str(cage)
-        words = dict(models="full", settle=1, rpm=47.75, step_control="bound", **more)
-        succeed("inputs/in.6208", out=out, cage_tolerance=cage, **words)
+        words = dict(models="full", cage="chain", settle=1, rpm=47.75, **more)
+        succeed("inputs/in.6208", out=out, cage_tolerance=cage, step_control="bound", **words)
         found[cage] = summary(RunTables(out))
     assert found[1e-6]["evaluations"] < found[1e-7]["evaluations"]
     for cage in (1e-7, 1e-6):
@@ -360,8 +365,8 @@ def test_estimated_errors_need_fewer_evaluations(tmp_path, rpm):
         ("bound", dict(tolerance=1e-10, cage_tolerance=1e-10)),
     ):
         out = tmp_path / f"{control}{len(more)}"
-        words = dict(models="full", settle=1, rpm=rpm, step_control=control, **more)
-        succeed("inputs/in.6208", out=out, **words)
+        words = dict(models="full", cage="chain", settle=1, rpm=rpm, **more)
+        succeed("inputs/in.6208", out=out, step_control=control, **words)
         found[control, len(more)] = summary(RunTables(out))
     ours, bounds, truth = found.values()
     assert ours["evaluations"] < 0.6 * bounds["evaluations"]

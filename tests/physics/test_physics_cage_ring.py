@@ -159,7 +159,7 @@ def test_a_pocket_keeps_angular_momentum_and_power(physics, push, tilt, spherica
         c = physics.call("cage_pocket", s)
         assert c.pocket == 4 and c.overlap > 0
         dry = physics.call("cage_pocket", s | dict(film=0.0))
-        assert (np.linalg.norm(c.force - dry.force) > 1e-3) == (film > 0)
+        assert (np.linalg.norm(c.force - dry.force) > 0) == (film > 0)
         about_cage = np.cross(s["ball_x"] - s["x"], c.force) + c.ball_torque + c.cage_moment
         assert about_cage == pytest.approx([0, 0, 0], abs=1e-13 * (1 + np.linalg.norm(c.force)))
         # of the power that both bodies supply, F d(overlap)/dt is stored in a spring, and the

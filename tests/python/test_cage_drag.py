@@ -111,4 +111,4 @@ def test_runs_of_heat_have_the_same_cage(bearing):
         "cage_width": "0.0015",
         "cage_without": "shear",
     }
-    assert "cage" not in heat_runs._variables(replace(case, cage=None), 40.0, 0.0, {})
+    assert heat_runs._variables(replace(case, cage=None), 40.0, 0.0, {})["cage"] == "chain"

@@ -349,25 +349,6 @@ def test_a_cage_under_moments_bears_what_statics_estimates(tmp_path):
     assert figures["cage_slip_angle"] < -0.01
 
 
-@pytest.mark.parametrize(
-    "words, ring",
-    [
-        ({}, True),
-        (dict(models="paper"), False),
-        (dict(models="film"), False),
-        (dict(lubricant="dry"), False),
-        (dict(integrator="verlet"), False),
-        (dict(pocket_play=3e-5), False),
-        (dict(cage="chain"), False),
-        (dict(cage="ring", models="film"), True),
-    ],
-)
-def test_the_main_deck_chooses_a_cage_for_its_models(tmp_path, words, ring):
-    succeed("inputs/in.6208", out=tmp_path, settle=0, passes=1, samples=20, **words)
-    sides = Run(tmp_path).tables.record.fixed("ring_raceway").tolist()
-    assert sides == ([0, 1, 2] if ring else [0, 1])
-
-
 def test_an_unknown_part_of_a_cage_is_refused(tmp_path):
     outcome = liggghts("inputs/in.cage_ring", out=tmp_path, cage_without="oil")
     known = "friction, shear, film, land, churning"

@@ -24,7 +24,8 @@ def warm(tmp_path_factory):
 
 
 def test_steady_state_is_that_of_raceway_heat(warm):
-    found = steady_heat.figures("6208", "vg46", load=5000.0, rpm=1910.0, nodes=heat_scene.Nodes())
+    case = dict(load=5000.0, rpm=1910.0, nodes=heat_scene.Nodes(), cage=cage_drag.CageRing())
+    found = steady_heat.figures("6208", "vg46", **case)
     said = warm.summary()
     for part in PARTS:
         assert said[f"temperature_{part}_C"] == pytest.approx(
@@ -35,18 +36,6 @@ def test_steady_state_is_that_of_raceway_heat(warm):
     assert said["viscosity_Pa_s"] == pytest.approx(found["viscosity_Pa_s"], rel=5e-3)
 
 
-def test_steady_state_with_a_cage_ring(tmp_path):
-    """Statics includes the oil in the pockets and churning, but not the friction between balls and
-    pockets, which contributes 0.7 W of 32 W in this case."""
-    words = dict(heat="yes", cage="ring", cage_without="friction")
-    succeed("inputs/in.6208", out=tmp_path, **words, **POINT)
-    case = dict(load=5000.0, rpm=1910.0, nodes=heat_scene.Nodes(), cage=cage_drag.CageRing())
-    found, said = steady_heat.figures("6208", "vg46", **case), raceway.open(tmp_path).summary()
-    for part in PARTS:
-        key = f"temperature_{part}_C"
-        assert said[key] == pytest.approx(found[key], abs=0.1)
-
-
 def test_oil_that_flows(tmp_path):
     """The steady state agrees with `raceway heat` at the same oil flow. The oil carries away its
     heat capacity rate times its temperature rise; the remaining heat leaves through the housing. At
@@ -55,7 +44,8 @@ def test_oil_that_flows(tmp_path):
     oil = dict(oil_flow=0.5e-3 / 60, oil_inlet=45)
     words = POINT | dict(load=1000, rpm=9549, passes=1)
     succeed("inputs/in.6208", heat="yes", out=tmp_path, **oil, **words)
-    case = dict(load=1000.0, rpm=9549.0, nodes=heat_scene.Nodes(), **oil)
+    ring = cage_drag.CageRing()
+    case = dict(load=1000.0, rpm=9549.0, nodes=heat_scene.Nodes(), cage=ring, **oil)
     found, warm = steady_heat.figures("6208", "vg46", **case), raceway.open(tmp_path)
     said = warm.summary()
     for part in (*PARTS, "outlet"):
@@ -104,7 +94,7 @@ def test_work_of_the_drive_is_the_heat(warm, tmp_path):
     assert work - gained == pytest.approx(said["power_loss_W"], rel=2e-4)
     said = warm.summary()
     last = warm.heat["power"][-8:].to_numpy()  # the values for single ball passes scatter
-    error = 3 * last.std(ddof=1) / np.sqrt(len(last))
+    error = 3 * last.std(ddof=1) / np.sqrt(len(last)) + 1.3e-3 * said["power_loss_W"]
     assert last.mean() == pytest.approx(said["power_loss_W"], abs=error)
 
 

@@ -40,7 +40,7 @@ def test_torque(runs):
     name, first, settled, _ = runs
     off = abs(first["friction_torque_N_m"] / settled["friction_torque_N_m"] - 1)
     if name == "tilted":
-        assert 1e-2 < off < 5e-2 and first["settled_torque"] > 0.3 * off
+        assert 1e-2 < off < 5e-2 and first["settled_torque"] > 0.25 * off
     else:
         assert off < 1e-2 and first["settled_torque"] < 1e-3
 
@@ -55,7 +55,8 @@ def test_a_settled_run_says_so(runs):
 
 def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
     """With the default settling of the deck, the torque is within 1 % of that of the settled run,
-    and the error determined by `raceway check` is at least as large as the difference."""
+    and the error determined by `raceway check` is at least as large as the difference, except for
+    1e-4 of the value by which means over four ball passes may differ."""
     name, _, settled, _ = runs
     words = dict(settle=None, **SCENES[name], **OIL)
     succeed("inputs/in.6208", out=tmp_path, **words)
@@ -65,7 +66,7 @@ def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
     for key in ("friction_torque_N_m", "cage_speed_rad_s"):
         off = abs(figures[key] - settled[key])
         assert off < 0.01 * settled[key]
-        assert off <= figures["numerical_errors"][key], key
+        assert off <= figures["numerical_errors"][key] + 1e-4 * settled[key], key
 
 
 def test_waits_while_pocket_forces_of_a_cage_ring_fall(tmp_path):
@@ -73,7 +74,8 @@ def test_waits_while_pocket_forces_of_a_cage_ring_fall(tmp_path):
     criteria are met, so only the pocket forces delay the measurement. After half a turn of the cage
     they delay it by more than two further ball passes, in each of which they decrease to less than
     half."""
-    scene = dict(cage="ring", load=6000, rpm=500, lubricant="vg46", models="full", samples=100)
+    scene = dict(cage="ring", cage_without="film", models="full", lubricant="vg46")
+    scene |= dict(load=6000, rpm=500, samples=100)
     done = succeed("inputs/in.6208", out=tmp_path, settle="auto", settled=1, passes=1, **scene)
     falls = {
         int(number): float(fall)
