@@ -73,12 +73,14 @@ void FixBearingCageRing::init()
   Arguments args(lmp, me, std::vector<std::string>());
   cage_.prepare(args, ball_radius_, pitch);
   all_.of = cage_.of;
+  if (warm_viscosity_ > 0.0) set_viscosity(bearing_, warm_viscosity_);
   turn_to_balls();
 }
 
 void FixBearingCageRing::set_viscosity(const std::string &bearing, double viscosity)
 {
   if (bearing_ != bearing || cage_.oil == 0.0) return;
+  warm_viscosity_ = viscosity;
   const double share = viscosity / cage_.oil;
   all_.of.shear = share * cage_.of.shear;
   all_.of.film.viscosity = share * cage_.of.film.viscosity;

@@ -45,6 +45,7 @@ class FixBearingCageRing : public FixBearingRing {
   std::string bearing_;    // name of the bearing, or empty
   int ball_type_ = 0;
   double ball_radius_ = 0.0;
+  double warm_viscosity_ = 0.0;    // Pa s, of oil with a temperature of its own; 0: as in the deck
   bearing::CageSettings cage_;
   bearing::CagePockets all_;
   size_t first_row_ = 0;         // position in the contact table: cells come first, then lands
