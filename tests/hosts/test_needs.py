@@ -139,12 +139,19 @@ def test_goes_on_without_running_again(answered, capsys, undrawn):
 
 
 def test_wants_that_forbid_everything(answered, undrawn):
-    """If no part may be omitted, the reference is chosen."""
+    """If no part may be omitted, the reference is chosen. Friction of the cage has no effect if its
+    films keep all balls off the walls; it may then be omitted."""
     own, _, folder = answered
     tight = ["--want", "torque=1e-9", "capacitance=1e-9", "--keep", *FEW]
     assert main(["needs", "inputs/in.6208", *words(own), *tight, "--out", str(folder)]) == 0
     found = json.loads((folder / "needs.json").read_text())
-    assert found["best"]["names"] == [] and found["words"] == REFERENCE
+    without_effect = {
+        row["names"][0]
+        for row in found["single"]
+        if all(row["errors"][word] == 0 for word in ("torque", "capacitance"))
+    }
+    assert set(found["best"]["names"]) <= without_effect <= {"cage friction"}
+    assert {**found["words"], "cage_without": ""} == {**REFERENCE, "cage_without": ""}
     assert not {row["names"][0] for row in found["single"]} & set(FEW)
 
 
