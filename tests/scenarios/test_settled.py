@@ -16,8 +16,8 @@ from raceway.runs.tables import RunTables
 
 SCENES = {
     "7205B": dict(bearing="7205B", load=0.1, axial=300, rpm=8000),
-    "7208": dict(bearing="7208", load=0.1, axial=-500, rpm=6000),
-    "tilted": dict(bearing="6208", load=3000, axial=2000, moment_x=20, rpm=3000),
+    "7208": dict(bearing="7208", load=0.1, axial=-500, rpm=6000, cage="chain"),
+    "tilted": dict(bearing="6208", load=3000, axial=2000, moment_x=20, rpm=3000, cage="chain"),
 }
 OIL = dict(models="full", lubricant="vg46", temperature=70)
 
@@ -40,7 +40,7 @@ def test_torque(runs):
     name, first, settled, _ = runs
     off = abs(first["friction_torque_N_m"] / settled["friction_torque_N_m"] - 1)
     if name == "tilted":
-        assert 1e-2 < off < 5e-2 and first["settled_torque"] > 0.25 * off
+        assert 1e-2 < off < 5e-2 and first["settled_torque"] > 0.3 * off
     else:
         assert off < 1e-2 and first["settled_torque"] < 1e-3
 
@@ -55,8 +55,7 @@ def test_a_settled_run_says_so(runs):
 
 def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
     """With the default settling of the deck, the torque is within 1 % of that of the settled run,
-    and the error determined by `raceway check` is at least as large as the difference, except for
-    1e-4 of the value by which means over four ball passes may differ."""
+    and the error determined by `raceway check` is at least as large as the difference."""
     name, _, settled, _ = runs
     words = dict(settle=None, **SCENES[name], **OIL)
     succeed("inputs/in.6208", out=tmp_path, **words)
@@ -66,7 +65,7 @@ def test_check_covers_the_rest(runs, tmp_path, monkeypatch):
     for key in ("friction_torque_N_m", "cage_speed_rad_s"):
         off = abs(figures[key] - settled[key])
         assert off < 0.01 * settled[key]
-        assert off <= figures["numerical_errors"][key] + 1e-4 * settled[key], key
+        assert off <= figures["numerical_errors"][key], key
 
 
 def test_waits_while_pocket_forces_of_a_cage_ring_fall(tmp_path):

@@ -13,7 +13,6 @@
 #include "exp_log.h"
 
 #include <cmath>
-
 #include <type_traits>
 
 namespace raceway {

@@ -18,10 +18,8 @@ struct CageSettings {
                                                                     // pocket, m
   double oil = 0.0, filled = 1.0;                                   // oil viscosity, Pa s; filled
                                                                     // fraction of the pockets
-  double film_height = -1.0;    // height of the squeeze film, m,
-                                // or -1: that of the band
-  double land_filled = -1.0;    // filled fraction at the land,
-                                // or -1
+  double film_height = -1.0;    // height of the squeeze film, m; -1: that of the band
+  double land_filled = -1.0;    // filled fraction at the land; -1: that of the pockets
 
   // Reads all words after the ball type. Stops with an error if the words contradict each other.
   void read(Arguments &);

@@ -67,8 +67,9 @@ def choices(
 
 
 def _all_choices(lubricated, values):
-    if values.get("cage") == "auto":  # with the models of the reference
-        values = {**values, "cage": "ring" if lubricated else "chain"}
+    if values.get("cage") == "auto":  # as NameBearing::runs_with_ring for the reference
+        balls = values.keys() & {"cage_ball_diameter", "pocket_play"}
+        values = {**values, "cage": "ring" if lubricated and not balls else "chain"}
     return [
         Choice(
             row["name"],
