@@ -62,13 +62,13 @@ def test_balls_that_are_held_back_press_with_their_traction():
     """The force on the cage is at most the Coulomb friction on both raceways, and smaller if the
     pocket play is almost as large as the excursion."""
     body, state = equilibrium("7208B", (20.0, 0.0))
-    load = state.inner.load + state.outer.load
+    limit = 0.05 * (state.inner.load + state.outer.load).max() * (1 + 1e-12)  # rounding
     held = [
         excursion.excursion(body, state, SPEED, np.full((2, body.balls), 0.05), play=play)
         for play in (0.0, 1.53e-3, 1.0)
     ]
-    assert 0 == held[2].force < held[1].force < held[0].force <= 0.05 * load.max()
-    assert held[0].force > 0.02 * load.max()
+    assert 0 == held[2].force < held[1].force < held[0].force <= limit
+    assert held[0].force > 0.4 * limit
 
 
 def test_statics_warns():
