@@ -2,6 +2,7 @@
 #include "fix_bearing_cage_ring.h"
 
 #include "../core/figures/fix_columns.h"
+#include "../core/geometry/pocket_contact.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_state.h"
 #include "fixes.h"
@@ -260,14 +261,16 @@ void FixBearingCageRing::pocket_forces()
         axes_.third(Vec3::from(atom->omega[c.i])), ball_radius_, atom->rmass[c.i]};
     const int pocket = pocket_at(all_.of, m, ball.x - m.x);
     const PocketContact p = pocket_contact(all_.of, m, pocket, ball);
-    if (!(p.overlap < out_of_pocket * ball_radius_)) left_pocket(c, pocket, p.overlap);
-    axes_.lab(p.force).add_to(atom->f[c.i]);
-    axes_.lab(p.ball_torque).add_to(atom->torque[c.i]);
-    pair_->ring_sum().add(c.claim, axes_.lab(-p.force), axes_.lab(p.cage_moment));
-    row->stiffness = p.h.force > 0.0 ? p.h.stiffness : 0.0;
-    row->damping = (p.h.force > 0.0 ? p.h.damping : 0.0) + p.film.resistance();
+    const double overlap = p.gap.overlap;
+    if (!(overlap < out_of_pocket * ball_radius_)) left_pocket(c, pocket, overlap);
+    const bool touches = p.wall.h.force > 0.0;
+    axes_.lab(p.force()).add_to(atom->f[c.i]);
+    axes_.lab(p.ball_torque()).add_to(atom->torque[c.i]);
+    pair_->ring_sum().add(c.claim, axes_.lab(-p.force()), axes_.lab(p.cage_moment()));
+    row->stiffness = touches ? p.wall.h.stiffness : 0.0;
+    row->damping = (touches ? p.wall.h.damping : 0.0) + p.oil.resistance();
     row->force = p.push();
-    row->loss = p.loss;
+    row->loss = p.loss();
     ++row;
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Exports the drag on a one-piece cage, its pockets and its land to test_physics_cage_ring.py.
-#include "../../src-package/core/geometry/cage_ring.h"
+#include "../../src-package/core/geometry/pocket_contact.h"
 #include "../../src-package/core/interface/exports.h"
 
 using namespace raceway;
@@ -20,9 +20,14 @@ FORMULA(double, cage_land_couple,
 RECORD(Squeeze, double spring, damper, by_spring[3], by_damper[3];)
 EXPORT(void, pocket_squeeze, (const double *film, const double *x, const double *v, Squeeze *out))
 {
-  const PocketFilm p = {film[0], film[1], film[2], film[3], film[4] != 0.0};
-  const PocketSqueeze s = pocket_squeeze(p, Vec3::from(x), Vec3::from(v), true);
-  *out = {s.of.spring, s.of.damper, {}, {}};
+  CageRing cage;
+  cage.spherical = film[4] != 0.0;
+  cage.film = {film[0], film[1], film[2], film[3], cage.spherical};
+  PocketGapT<double> gap;
+  gap.apart = Vec3::from(x);
+  gap.velocity = Vec3::from(v);
+  const PocketOilT<double> s = pocket_oil(cage, gap, true);
+  *out = {s.film.spring, s.film.damper, {}, {}};
   for (int k = 0; k < 3; ++k) {
     out->by_spring[k] = s.spring[k];
     out->by_damper[k] = s.damper[k];
@@ -99,16 +104,16 @@ EXPORT(void, cage_pocket, (const CageScene *in, PocketOutput *out))
   const PocketContact c = pocket_contact(cage, m, k, ball);
   *out = {};
   out->pocket = k;
-  out->overlap = c.overlap;
-  c.force.to(out->force);
-  c.ball_torque.to(out->ball_torque);
-  c.cage_moment.to(out->cage_moment);
-  c.normal.to(out->normal);
-  out->loss = c.loss;
-  out->energy = c.energy;
+  out->overlap = c.gap.overlap;
+  c.force().to(out->force);
+  c.ball_torque().to(out->ball_torque);
+  c.cage_moment().to(out->cage_moment);
+  c.wall.normal.to(out->normal);
+  out->loss = c.loss();
+  out->energy = c.wall.energy;
   out->push = c.push();
-  out->stiffness = c.h.stiffness;
-  out->damping = c.h.damping;
+  out->stiffness = c.wall.h.stiffness;
+  out->damping = c.wall.h.damping;
 }
 
 EXPORT(void, cage_land, (const CageScene *in, LandOutput *out))

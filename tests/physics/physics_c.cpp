@@ -121,13 +121,15 @@ static void put(const ContactState &c, State *out)
   out->friction_w = c.friction_w;
 }
 
-// Applies one of the functions in exp_log.h to n numbers, both one by one and four at a time.
+// Applies one of the functions in exp_log.h and arctangent.h to n numbers, both one by one and four
+// at a time.
 template <class T> static T elementary_of(int which, const T &x)
 {
   return which == 0   ? exponential(x)
          : which == 1 ? logarithm(x)
          : which == 2 ? rough_exponential(x)
-                      : rough_logarithm(x);
+         : which == 3 ? rough_logarithm(x)
+                      : arctangent(x);
 }
 EXPORT(void, elementary, (double which, double n, const double *x, double *one, double *four))
 {

@@ -49,7 +49,7 @@ RACEWAY = dict(
 OIL = dict(viscosity=0.04, pressure_viscosity=15e-9, ring_roughness=40e-9, ball_roughness=30e-9)
 
 # functions in exp_log.h, in the same order as in physics_c.cpp
-ELEMENTARY = ("exponential", "logarithm", "rough_exponential", "rough_logarithm")
+ELEMENTARY = ("exponential", "logarithm", "rough_exponential", "rough_logarithm", "arctangent")
 
 
 class Physics(Library):

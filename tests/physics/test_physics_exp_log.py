@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of exp_log.h against mpmath at the ends of its range, and of lanes against scalars."""
+"""Tests of exp_log.h and arctangent.h against mpmath, and of lanes against scalars."""
 
 import mpmath
 import numpy as np
 import pytest
 
-# The bound stated at the top of the header, in units in the last place (ulp) of the result.
+# The bound stated at the top of the headers, in units in the last place (ulp) of the result.
 UNITS = 2.0
 
 
@@ -35,10 +35,20 @@ def numbers():
                 [2.0**-1022, 1.0, 2.0],
             ]
         ),
+        "arctangent": np.concatenate(
+            [
+                random.uniform(-1.2, 1.2, 1000),
+                random.choice([-1.0, 1.0], 500) * 10.0 ** random.uniform(-300, 300, 500),
+                [-0.0, 0.2361, 0.7208, 1.0, 1 / 0.7208, 1 / 0.2361],
+            ]
+        ),
     }
 
 
-@pytest.mark.parametrize("name, exact", [("exponential", mpmath.exp), ("logarithm", mpmath.log)])
+@pytest.mark.parametrize(
+    "name, exact",
+    [("exponential", mpmath.exp), ("logarithm", mpmath.log), ("arctangent", mpmath.atan)],
+)
 def test_last_place(physics, name, exact):
     x = numbers()[name]
     found = physics.elementary(name, x)[0]
@@ -70,7 +80,7 @@ def test_rough_ones(physics):
     assert one.tobytes() == four.tobytes()
 
 
-@pytest.mark.parametrize("name", ["exponential", "logarithm"])
+@pytest.mark.parametrize("name", ["exponential", "logarithm", "arctangent"])
 def test_lanes_have_the_bits_of_one_number(physics, name):
     x = numbers()[name]
     one, four = physics.elementary(name, x)

@@ -207,13 +207,28 @@ void BearingBodies::load(const std::vector<BodyPose> &bodies, const std::vector<
     if (!turns.empty() && turns_at[at / lanes] >= 0)
       turns[turns_at[at / lanes]].load(i, g.from, b.turn);
   }
-  pocket_of.clear();
+  find_cells(bodies);
+}
+
+void BearingBodies::find_cells(const std::vector<BodyPose> &bodies)
+{
+  cells.clear();
   for (const BearingModel::Cage &c : model.cages) {
     const RingPose &cage = rings[c.ring].from;
     CageMotion m;
     m.e = cage.e;
     m.angle = cage.angle;
-    for (int ball : c.balls) pocket_of.push_back(pocket_at(*c.of, m, bodies[ball].x - cage.x));
+    cells.emplace_back();
+    for (int ball : c.balls) {
+      const int group = slot[ball] / lanes, i = slot[ball] % lanes;
+      if (cells.back().empty() || cells.back().back().group != group)
+        cells.back().push_back({all_lanes(1.0), Lane(), LaneMask(), group});
+      Cell &cell = cells.back().back();
+      const double azimuth = c.of->azimuth(pocket_at(*c.of, m, bodies[ball].x - cage.x));
+      cell.cosine[i] = std::cos(azimuth);
+      cell.sine[i] = std::sin(azimuth);
+      cell.live[i] = -1;
+    }
   }
 }
 

@@ -125,8 +125,14 @@ class BearingBodies {
   std::vector<BallTurns> turns;    // orientations in groups with profiled balls
   std::vector<int> turns_at;       // indexed by group, -1: none
   std::vector<RailTrack> rail_tracks;
-  std::vector<int> pocket_of;     // indexed by cage, then by ball; a ball stays in its pocket
-  int n_contacts = 0;             // number of contact groups, summed over all tracks
+  // Up to four balls of a one-piece cage, all in one group. A ball stays in its pocket.
+  struct alignas(32) Cell {
+    Lane cosine, sine;    // of the azimuths of the pockets relative to the first pocket
+    LaneMask live;
+    int group;
+  };
+  std::vector<std::vector<Cell>> cells;    // indexed by cage
+  int n_contacts = 0;                      // number of contact groups, summed over all tracks
   std::vector<int> contact_at;    // indexed by groove of the model: lanes * contact group + lane
   std::vector<int> groove_at;     // inverse of contact_at, -1: none
   std::vector<States> kept;       // indexed by group of contacts; filled only if the law has state
@@ -170,6 +176,7 @@ class BearingBodies {
   void add_modes(ShaftBend &);
   void find_couplings();
   void find_columns();
+  void find_cells(const std::vector<BodyPose> &);
   int states_ = 0;
 };
 

@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A one-piece cage: equally spaced pockets on the pitch circle, and a land that may guide the cage.
-// Both integrators use the same model for the contact between a ball and its pocket.
+// A one-piece cage: equally spaced pockets on the pitch circle (pocket_contact.h), and a land that
+// may guide the cage (cage_land.cpp).
 //
 // A pocket is a slot along its radial axis p. Its half clearances are c_t along the pitch circle
 // and c_z along the bearing's axis. In a cylindrical pocket the ball can move freely along p,
-// whereas a spherical pocket also holds it in this direction. The contact between ball and wall
-// follows damped_hertz.h or, if the bars of the cage deform more than the contact does,
-// pocket_wall.h. Coulomb friction, smoothed below the speed `creep`, opposes the sliding of the
-// ball's surface on the wall. The oil in the pocket resists the relative motion and the relative
-// spin (pocket_film.h). Forces on ball and cage act through one point, so momentum and angular
-// momentum are conserved.
+// whereas a spherical pocket also holds it in this direction.
 #ifndef RACEWAY_CAGE_RING_H
 #define RACEWAY_CAGE_RING_H
 
 #include "../laws/cage_drag.h"
-#include "../laws/damped_hertz.h"
 #include "../laws/hertz.h"
 #include "../laws/pocket_film.h"
-#include "../laws/pocket_wall.h"
 #include "../numbers/vec3.h"
 
 namespace raceway {
@@ -46,6 +39,8 @@ struct CageRing {
   double land_stiffness = 0.0;    // N/m^1.5, contact between cage and land
   double oil_share = 0.0, oil_density = 0.0, oil_viscosity = 0.0, outer_radius = 0.0;    // churning
 
+  // Returns the azimuth of a pocket relative to the first one, rad.
+  double azimuth(int pocket) const { return 2.0 * 3.14159265358979323846 * pocket / pockets; }
   // Returns the effective half clearance, m: the smaller half clearance, but at least a thousandth
   // of the ball's radius.
   double least_play(double ball_radius) const
@@ -84,10 +79,11 @@ struct CageMotion {
   double angle = 0.0;
 };
 
-// Returns a direction normal to the bearing's axis after the rotation that turns this axis into e.
-inline Vec3 carried_across(const Vec3 &e, double c, double s)
+// Returns a direction normal to the bearing's axis, with the components c and s along x and y,
+// after the rotation that turns this axis into e.
+template <class T> RACEWAY_INLINE Vec3T<T> carried_across(const Vec3 &e, const T &c, const T &s)
 {
-  const double share = (e.x * c + e.y * s) / (1.0 + e.z);
+  const T share = (e.x * c + e.y * s) / (1.0 + e.z);
   return {c - share * e.x, s - share * e.y, -share * (1.0 + e.z)};
 }
 
@@ -105,148 +101,8 @@ inline int pocket_at(const CageRing &cage, const CageMotion &m, const Vec3 &d)
 // Returns the direction from the cage's centre to the centre of a pocket.
 inline Vec3 pocket_axis(const CageRing &cage, const CageMotion &m, int pocket)
 {
-  const double turn = 2.0 * 3.14159265358979323846;
-  const double azimuth = m.angle + cage.phase + turn * pocket / cage.pockets;
+  const double azimuth = m.angle + cage.phase + cage.azimuth(pocket);
   return carried_across(m.e, std::cos(azimuth), std::sin(azimuth));
-}
-
-// Squeeze film between a ball and its pocket, in the lab frame.
-struct PocketSqueeze {
-  Vec3 x, v;    // displacement (m) and velocity (m/s) of the ball, as far as the film resists them
-  SqueezeFilm<double> of = {0.0, 0.0};
-  double spring[3] = {}, damper[3] = {};    // derivatives of its coefficients with respect to x.x,
-                                            // x.v and v.v
-  Vec3 force;                               // on the ball, N
-
-  // Returns the damping constant along the motion, N s/m.
-  double resistance() const { return dot(v, v) > 0.0 ? -dot(force, v) / dot(v, v) : 0.0; }
-};
-
-struct PocketContact {
-  Vec3 offset;       // m, from the pocket's centre to the ball's centre: components along the
-                     // circle, the axis and the radius
-  double overlap;    // m, negative: gap
-  Vec3 normal;       // from wall to ball
-  Vec3 lever;        // m, vector from the cage's centre to the ball's centre
-  DampedHertz h;
-  double rate = 0.0;    // m/s, rate of the overlap
-  double bend = 0.0;    // N/m, due to the rotation of the normal as the ball moves in the bore
-  Vec3 side, axis;      // direction across the normal in the pocket's cross-section; axis of the
-                        // pocket
-  bool spherical = false;
-  PocketSqueeze film;
-  Vec3 slide;                 // sliding direction of the ball times the fraction of full friction
-  double braking = 0.0;       // N s/m, friction divided by sliding speed
-  Vec3 force, ball_torque;    // on the ball, N and N m
-  Vec3 cage_moment;           // on the cage about its centre, N m
-  double loss = 0.0, energy = 0.0;    // W, J
-
-  // Returns the force that presses the ball and the wall against each other, N.
-  double push() const { return norm(film.force + normal * h.force); }
-};
-
-struct PocketBall {
-  Vec3 x, v, w;
-  double radius, mass;
-};
-
-// Evaluates the squeeze film of a ball displaced by x (m) that moves at v (m/s) in its pocket, and
-// the derivatives of its coefficients if `slopes` is true.
-inline PocketSqueeze pocket_squeeze(const PocketFilm &film, const Vec3 &x, const Vec3 &v,
-                                    bool slopes)
-{
-  PocketSqueeze s;
-  s.x = x;
-  s.v = v;
-  const double of[] = {dot(x, x), dot(x, v), dot(v, v)};
-  if (slopes) {
-    Dual<double, 3> by[] = {of[0], of[1], of[2]};
-    for (int k = 0; k < 3; ++k) by[k].d[k] = 1.0;
-    const auto f = squeeze_film(film, by[0], by[1], by[2]);
-    s.of = {f.spring.value, f.damper.value};
-    for (int k = 0; k < 3; ++k) {
-      s.spring[k] = f.spring.d[k];
-      s.damper[k] = f.damper.d[k];
-    }
-  } else {
-    s.of = squeeze_film(film, of[0], of[1], of[2]);
-  }
-  s.force = -(x * s.of.spring + v * s.of.damper);
-  return s;
-}
-
-// Evaluates the contact between a ball and its pocket. For gaps up to `close` (m), derivatives are
-// evaluated at the overlap `barely` (m), but forces at the actual gap. `slopes` asks for the
-// derivatives of the film.
-inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, int pocket,
-                                    const PocketBall &ball, double close = 0.0, double barely = 0.0,
-                                    bool slopes = false)
-{
-  PocketContact c;
-  const Vec3 p = pocket_axis(cage, m, pocket), t = cross(m.e, p), d = ball.x - m.x;
-  c.lever = d;
-  c.axis = p;
-  c.spherical = cage.spherical;
-  c.offset = {dot(d, t), dot(d, m.e), dot(d, p) - cage.pitch};
-  const double gap = std::fmin(cage.along, cage.across);
-  const auto beyond = [](double q, double straight) {
-    return q > straight ? q - straight : q < -straight ? q + straight : 0.0;
-  };
-  const double qt = beyond(c.offset.x, cage.along - gap),
-               qz = beyond(c.offset.y, cage.across - gap), qr = cage.spherical ? c.offset.z : 0.0;
-  const double off = std::sqrt(qt * qt + qz * qz + qr * qr);
-  c.overlap = off - gap;
-  const Vec3 spin = ball.w - m.w, dv = ball.v - m.v - cross(m.w, d);
-  if (cage.shear > 0.0) {
-    const Vec3 couple = (spin + p * dot(spin, p)) * cage.shear;
-    c.ball_torque = -couple;
-    c.cage_moment = couple;
-    c.loss = dot(couple, spin);
-  }
-  if (cage.film.viscosity > 0.0) {
-    const Vec3 x = t * qt + m.e * qz + p * qr;
-    c.film = pocket_squeeze(cage.film, x, cage.spherical ? dv : dv - p * dot(dv, p), slopes);
-    c.force = c.film.force;
-    c.loss -= dot(c.film.force, dv);
-    c.cage_moment -= cross(d, c.film.force);
-  }
-  if (!(off > 0.0) || c.overlap <= -close) return c;
-  const Vec3 n = (t * qt + m.e * qz + p * qr) * (-1.0 / off);
-  c.normal = n;
-  c.side = cage.spherical ? Vec3() : cross(p, n);
-  c.rate = -dot(dv, n);
-  const double reduced = ball.mass * cage.mass / (ball.mass + cage.mass);
-  const bool touches = c.overlap > 0.0;
-  const double overlap = touches ? c.overlap : barely, rate = touches ? c.rate : 0.0;
-  c.h = cage.wall > 0.0 ? damped_wall(cage.wall, full_damping * cage.least_play(ball.radius),
-                                      overlap, rate, reduced)
-                        : damped_hertz(cage.stiffness, overlap, rate, reduced);
-  if (!touches) {
-    c.h.force = 0.0;
-    return c;
-  }
-  const double linear = c.h.stiffness * c.overlap;
-  const double spring = cage.wall > 0.0 ? linear : linear / 1.5;
-  c.energy = (cage.wall > 0.0 ? 0.5 : 0.4) * spring * c.overlap;
-  c.loss += (c.h.force - spring) * c.rate;
-  if (!(c.h.force > 0.0)) return c;
-  // if the half clearances differ, the slot has straight walls, and the normal on them does not
-  // rotate
-  const bool turns = cage.spherical || cage.along == cage.across || (qt != 0.0 && qz != 0.0);
-  c.bend = turns ? c.h.force / off : 0.0;
-  Vec3 push = n * c.h.force;
-  const Vec3 at = n * -ball.radius;    // from the ball's centre to the wall
-  if (cage.friction > 0.0) {
-    const Vec3 on = dv + cross(spin, at), v = on - n * dot(on, n);
-    c.braking = cage.friction * c.h.force / std::sqrt(dot(v, v) + cage.creep * cage.creep);
-    c.slide = v * (c.braking / c.h.force);
-    push -= v * c.braking;
-    c.ball_torque -= cross(at, v * c.braking);
-    c.loss += c.braking * dot(v, v);
-  }
-  c.force += push;
-  c.cage_moment -= cross(d + at, push);
-  return c;
 }
 
 // Force and moment between a cage and the ring whose land guides it. The force acts at the cage's

@@ -32,7 +32,7 @@ struct PocketFilm {
 };
 
 // Returns the cube of the effective width L of the band (m^3) at the eccentricity ratio e.
-template <class T> T film_width_cubed(const PocketFilm &p, const T &e)
+template <class T> RACEWAY_INLINE T film_width_cubed(const PocketFilm &p, const T &e)
 {
   const double pi = 3.14159265358979323846, R = p.radius, c = p.clearance;
   const T open = 1.0 - e, root = square_root(open), opened = open * root;
@@ -56,7 +56,8 @@ template <class T> struct SqueezeFilm {
 // Returns these coefficients as functions of the products x.x (m^2), x.v (m^2/s) and v.v (m^2/s^2).
 // In a cylindrical pocket, x and v have no component along the axis of the pocket.
 template <class T>
-SqueezeFilm<T> squeeze_film(const PocketFilm &p, const T &xx, const T &xv, const T &vv)
+RACEWAY_INLINE SqueezeFilm<T> squeeze_film(const PocketFilm &p, const T &xx, const T &xv,
+                                           const T &vv)
 {
   const double pi = 3.14159265358979323846, c = p.clearance;
   const T off = square_root(T(xx + 1e-12 * c * c)), speed = square_root(T(vv + 1e-24));

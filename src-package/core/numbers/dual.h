@@ -10,6 +10,7 @@
 #ifndef RACEWAY_DUAL_H
 #define RACEWAY_DUAL_H
 
+#include "arctangent.h"
 #include "exp_log.h"
 
 #include <cmath>
@@ -181,7 +182,6 @@ template <class B, int n> RACEWAY_INLINE Dual<B, n> logarithm(const Dual<B, n> &
   for (int i = 0; i < n; ++i) r.d[i] = slope * a.d[i];
   return r;
 }
-RACEWAY_INLINE double arctangent(double a) { return std::atan(a); }
 template <class B, int n> RACEWAY_INLINE Dual<B, n> arctangent(const Dual<B, n> &a)
 {
   Dual<B, n> r(arctangent(a.value));

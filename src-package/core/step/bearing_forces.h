@@ -6,6 +6,8 @@
 #define RACEWAY_BEARING_FORCES_H
 
 #include "../bodies/bearing_bodies.h"
+#include "../geometry/pocket_contact.h"
+#include "cage_axes.h"
 
 namespace raceway {
 
@@ -100,10 +102,15 @@ class BearingForces {
   Failure narrow_raceways(const Stage &);    // for processors without AVX2
   void rails(const Stage &);
   Failure pockets(const Stage &);
-  void cages(const Stage &);    // cage_ring_forces.cpp
-  void pocket(const Stage &, const BearingModel::Cage &, const CageMotion &, int body, int number);
-  void film_rows(const Stage &, const RingBody &, const CageMotion &, const PocketContact &,
-                 int slot);
+  // cage_ring_forces.cpp
+  void cages(const Stage &);
+  RACEWAY_INLINE void pockets_of(const Stage &, const BearingModel::Cage &, const CageMotion &,
+                                 const BearingBodies::Cell &);
+  RACEWAY_INLINE void film_rows(const Stage &, const BearingModel::Cage &,
+                                const BearingBodies::Cell &, const PocketGapT<Lane> &,
+                                const PocketOilT<Lane> &, const CageAxesT<Lane> &);
+  void wall(const Stage &, const BearingModel::Cage &, const PocketGapT<double> &,
+            const PocketWall &, const CageAxesT<double> &, int group, int lane);
   void land(const Stage &, const BearingModel::Cage &, const CageMotion &);
 
   struct Place {

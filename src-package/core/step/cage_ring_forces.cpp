@@ -1,37 +1,39 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forces on a one-piece cage: contacts with the balls in its pockets, the film at the land that
-// guides it, and churning at its faces.
+// Forces on a one-piece cage: oil and walls of its pockets, the film at the land that guides it,
+// and churning at its faces.
 #include "bearing_forces.h"
 #include "bearing_system.h"
 
 namespace raceway {
-
-// Returns the velocity of a point at `lever` (m) from a ring's centre per unit of a degree of
-// freedom.
-static Vec3 motion_of(int dof, const Vec3 &e, const Vec3 &lever)
-{
-  switch (dof) {
-    case 0: return {1.0, 0.0, 0.0};
-    case 1: return {0.0, 1.0, 0.0};
-    case 2: return {0.0, 0.0, 1.0};
-    case RingProgram::TILT: return cross(Vec3{1.0, 0.0, 0.0}, lever);
-    case RingProgram::TILT + 1: return cross(Vec3{0.0, 1.0, 0.0}, lever);
-    default: return cross(e, lever);
-  }
-}
 
 static CageMotion motion_of(const RingPose &r)
 {
   return {r.x, r.v, r.e, r.angular_velocity(), r.angle};
 }
 
-void BearingForces::cages(const Stage &stage)
+static RACEWAY_INLINE Vec3 in_lane(const Vec3L &a, int i) { return {a.x[i], a.y[i], a.z[i]}; }
+
+static RACEWAY_INLINE Vec3 summed(const LaneMask &live, const Vec3L &a)
 {
-  auto number = b_.pocket_of.begin();
-  for (const BearingModel::Cage &cage : b_.model.cages) {
+  const Lane none = {};
+  return {sum(where(live, a.x, none)), sum(where(live, a.y, none)), sum(where(live, a.z, none))};
+}
+
+// Adds s a to three lanes.
+static RACEWAY_INLINE void add(Lane *to, const Vec3L &a, const Lane &s)
+{
+  to[0] += s * a.x;
+  to[1] += s * a.y;
+  to[2] += s * a.z;
+}
+
+RACEWAY_LANES void BearingForces::cages(const Stage &stage)
+{
+  for (size_t k = 0; k < b_.model.cages.size(); ++k) {
+    const BearingModel::Cage &cage = b_.model.cages[k];
     RingBody &ring = b_.rings[cage.ring];
     const CageMotion m = motion_of(ring.now);
-    for (int body : cage.balls) pocket(stage, cage, m, body, *number++);
+    for (const BearingBodies::Cell &cell : b_.cells[k]) pockets_of(stage, cage, m, cell);
     if (cage.land >= 0) land(stage, cage, m);
     const double churning = cage.of->churning(ring.now.spin);
     ring.moment -= m.e * churning;
@@ -39,42 +41,130 @@ void BearingForces::cages(const Stage &stage)
   }
 }
 
-// Evaluates the contact between a ball and its pocket in the ball's frame. Because of the spring
-// and damper along the normal n, the force of the wall depends on the motion of the ball's centre.
-// Because of friction, which acts across n, it also depends on the motion of the ball's surface at
-// the wall, which is at -R n from the centre.
-void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, const CageMotion &m,
-                           int body, int number)
+// All vectors are in the frames of the balls.
+RACEWAY_INLINE void BearingForces::pockets_of(const Stage &stage, const BearingModel::Cage &cage,
+                                              const CageMotion &m, const BearingBodies::Cell &cell)
 {
   const bool fresh = stage.evaluate == Evaluate::derivatives;
   RingBody &ring = b_.rings[cage.ring];
-  const int at = b_.slot[body], group = at / lanes, i = at % lanes;
+  BodyGroup &g = b_.groups[cell.group];
+  const LaneFrame &f = g.now;
+  const Lane none = {};
+  const CageAxesT<Lane> axes = {
+      {f.c, -f.s, none}, {f.s, f.c, none}, {none, none, all_lanes(1.0)}, f.local(m.e)};
+  const double first = m.angle + cage.of->phase, c = std::cos(first), s = std::sin(first);
+  const Vec3L pocket = f.local(
+      carried_across<Lane>(m.e, c * cell.cosine - s * cell.sine, s * cell.cosine + c * cell.sine));
+  const Vec3L lever = Vec3L{f.r, none, f.z} - f.local(m.x - b_.centre), w = f.local(m.w);
+  const PocketGapT<Lane> gap =
+      pocket_gap(*cage.of, axes.e, pocket, lever, g.v - f.local(m.v) - cross(w, lever), g.w - w);
+  const PocketOilT<Lane> oil = pocket_oil(*cage.of, gap, fresh);
+  const Lane h = where(cell.live, stage.h, 0.0);
+  add(g.rhs, oil.force, h);
+  add(g.rhs + 3, oil.ball_torque, h);
+  ring.force -= summed(cell.live, f.lab(oil.force));
+  ring.moment += summed(cell.live, f.lab(oil.cage_moment));
+  power_lost_ += sum(where(cell.live, oil.loss, none));
+  if (fresh && cage.of->film.viscosity > 0.0) film_rows(stage, cage, cell, gap, oil, axes);
+  const double close = fresh ? stage.close_cage : 0.0;
+  const LaneMask near = cell.live & (gap.overlap > -close);
+  if (!any(near)) return;
+  for (int i = 0; i < lanes; ++i) {
+    if (!near[i]) continue;
+    PocketGapT<double> one;
+    one.axis = in_lane(gap.axis, i);
+    one.lever = in_lane(gap.lever, i);
+    one.velocity = in_lane(gap.velocity, i);
+    one.spin = in_lane(gap.spin, i);
+    one.apart = in_lane(gap.apart, i);
+    one.around = gap.around[i];
+    one.beyond = gap.beyond[i];
+    one.distance = gap.distance[i];
+    one.overlap = gap.overlap[i];
+    const PocketWall p = pocket_wall(*cage.of, one, g.radius[i], g.mass[i], close, barely_touching);
+    wall(stage, cage, one, p,
+         {in_lane(axes.x, i), in_lane(axes.y, i), in_lane(axes.z, i), in_lane(axes.e, i)},
+         cell.group, i);
+  }
+}
+
+// Adds the derivatives of the forces of squeeze films to the rows of the balls and their cage. A
+// film answers a motion u of the ball's centre with both u + x (x_share.u) + v (v_share.u).
+RACEWAY_INLINE void BearingForces::film_rows(const Stage &stage, const BearingModel::Cage &cage,
+                                             const BearingBodies::Cell &cell,
+                                             const PocketGapT<Lane> &gap,
+                                             const PocketOilT<Lane> &oil,
+                                             const CageAxesT<Lane> &axes)
+{
+  const RingBody &ring = b_.rings[cage.ring];
+  BodyGroup &g = b_.groups[cell.group];
+  const Lane h = where(cell.live, stage.h, 0.0), springs = h * stage.follows();
+  const Lane both = springs * oil.film.spring + h * oil.film.damper;
+  const Vec3L &x = gap.apart, &v = oil.velocity;
+  const Vec3L x_share = x * (2.0 * springs * oil.spring[0] + h * oil.spring[1]) +
+                        v * (springs * oil.spring[1] + 2.0 * h * oil.spring[2]),
+              v_share = x * (2.0 * springs * oil.damper[0] + h * oil.damper[1]) +
+                        v * (springs * oil.damper[1] + 2.0 * h * oil.damper[2]);
+  // in a cylindrical pocket, the film does not resist motions along the axis
+  const Vec3L axis = gap.axis * (cage.of->spherical ? 0.0 : 1.0);
+  Lane of_axis[3], of_x[3], of_v[3], by_x[3], by_v[3];
+  axis.to(of_axis);
+  x.to(of_x);
+  v.to(of_v);
+  x_share.to(by_x);
+  v_share.to(by_v);
+  for (int row = 0; row < 3; ++row)
+    for (int k = 0; k < 3; ++k) {
+      Lane f = of_x[row] * by_x[k] + of_v[row] * by_v[k] - both * of_axis[row] * of_axis[k];
+      if (row == k) f += both;
+      g.A[6 * row + k] += f;
+    }
+  if (!ring.loose) return;
+  g.coupled = true;
+  Vec3L motion[RingProgram::N_DOF];
+  int column[RingProgram::N_DOF], count = 0;
+  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
+    if (ring.column[dof] < 0) continue;
+    column[count] = ring.column[dof];
+    motion[count++] = axes.motion(dof, gap.lever);
+  }
+  const Lane minus = all_lanes(-1.0);
+  for (int k = 0; k < count; ++k) {
+    const Vec3L &u = motion[k], across = (u - axis * dot(axis, u)) * both;
+    const Vec3L f = across + x * dot(x_share, u) + v * dot(v_share, u);
+    add(system_.B(cell.group, column[k]), f, minus);
+    add(system_.C(cell.group, column[k]), across + x_share * dot(x, u) + v_share * dot(v, u),
+        minus);
+    for (int o = 0; o < count; ++o) system_.D(column[o], column[k]) += sum(dot(motion[o], f));
+  }
+}
+
+// Adds the force of a wall and its derivatives. Because of the spring and damper along the normal
+// n, the force depends on the motion of the ball's centre. Because of friction, which acts across
+// n, it also depends on the motion of the ball's surface at the wall, which is at -R n from the
+// centre.
+void BearingForces::wall(const Stage &stage, const BearingModel::Cage &cage,
+                         const PocketGapT<double> &gap, const PocketWall &c,
+                         const CageAxesT<double> &axes, int group, int i)
+{
+  RingBody &ring = b_.rings[cage.ring];
   BodyGroup &g = b_.groups[group];
-  const double cosine = g.now.c[i], sine = g.now.s[i], R = g.radius[i], h = stage.h;
-  const auto lab = [&](const Vec3L &a) -> Vec3 {
-    return {a.x[i] * cosine - a.y[i] * sine, a.x[i] * sine + a.y[i] * cosine, a.z[i]};
+  const double R = g.radius[i], h = stage.h;
+  const auto lab = [&](const Vec3 &a) -> Vec3 {
+    return {dot(axes.x, a), dot(axes.y, a), dot(axes.z, a)};
   };
-  const auto local = [&](const Vec3 &a) -> Vec3 {
-    return {a.x * cosine + a.y * sine, a.y * cosine - a.x * sine, a.z};
-  };
-  const PocketBall ball = {Vec3{g.now.r[i] * cosine, g.now.r[i] * sine, g.now.z[i]} + b_.centre,
-                           lab(g.v), lab(g.w), R, g.mass[i]};
-  const PocketContact c = pocket_contact(*cage.of, m, number, ball, fresh ? stage.close_cage : 0.0,
-                                         barely_touching, fresh);
   power_lost_ += c.loss;
   contact_energy_ += c.energy;
-  ring.force -= c.force;
-  ring.moment += c.cage_moment;
-  const auto add = [i](Lane *to, const Vec3 &a) {
-    to[0][i] += a.x;
-    to[1][i] += a.y;
-    to[2][i] += a.z;
+  ring.force -= lab(c.force);
+  ring.moment += lab(c.cage_moment);
+  const auto push = [&](Lane *to, const Vec3 &a) {
+    to[0][i] += h * a.x;
+    to[1][i] += h * a.y;
+    to[2][i] += h * a.z;
   };
-  add(g.rhs, local(c.force) * h);
-  add(g.rhs + 3, local(c.ball_torque) * h);
-  if (!fresh) return;
-  if (cage.of->film.viscosity > 0.0) film_rows(stage, ring, m, c, at);
-  if (!(c.h.growth > 0.0)) return;
+  push(g.rhs, c.force);
+  push(g.rhs + 3, c.ball_torque);
+  if (stage.evaluate != Evaluate::derivatives || !(c.h.growth > 0.0)) return;
   if (stage.dampers_only && c.h.force > 0.0) {
     // the ball and the cage vibrate on the same spring, which at most doubles its effect on either
     // of them
@@ -84,23 +174,23 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
   }
   const double springs = h * stage.follows(), along = h * c.h.damping + springs * c.h.growth,
                bend = springs * c.bend, across = h * c.braking;
-  const Vec3 n = local(c.normal), wall = n * -R, pull = n - local(c.slide), side = local(c.side);
+  const Vec3 &n = c.normal, at = n * -R, pull = n - c.slide;
   // change in the force due to motions of the ball's centre and of its surface
   const auto answer = [&](const Vec3 &centre, const Vec3 &surface) -> Vec3 {
     const Vec3 f = pull * (along * dot(centre, n)) + (surface - n * dot(surface, n)) * across;
-    return f +
-           (c.spherical ? (centre - n * dot(centre, n)) * bend : side * (bend * dot(centre, side)));
+    return f + (cage.of->spherical ? (centre - n * dot(centre, n)) * bend
+                                   : c.side * (bend * dot(centre, c.side)));
   };
   Vec3 by_ball[6];    // change in the force per unit of the ball's velocity and spin
   const Vec3 unit[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
   for (int k = 0; k < 3; ++k) {
     by_ball[k] = answer(unit[k], unit[k]);
-    by_ball[3 + k] = cross(unit[k], wall) * across;
+    by_ball[3 + k] = cross(unit[k], at) * across;
   }
   double force[6];
   const auto rows = [&](const Vec3 &f) {
     f.to(force);
-    cross(wall, f).to(force + 3);
+    cross(at, f).to(force + 3);
   };
   for (int k = 0; k < 6; ++k) {
     rows(by_ball[k]);
@@ -108,15 +198,15 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
   }
   g.coupled = g.coupled || ring.loose;
   int moving[RingProgram::N_DOF], count = 0;    // columns of the cage
-  Vec3 surface[RingProgram::N_DOF];             // motions at the wall
+  Vec3 centre[RingProgram::N_DOF], surface[RingProgram::N_DOF];
   for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
     if (ring.column[dof] < 0) continue;
     moving[count] = ring.column[dof];
-    surface[count++] = local(motion_of(dof, m.e, c.lever - c.normal * R));
+    centre[count] = axes.motion(dof, gap.lever);
+    surface[count++] = axes.motion(dof, gap.lever + at);
   }
-  for (int dof = 0, k = 0; dof < RingProgram::N_DOF; ++dof) {
-    if (ring.column[dof] < 0) continue;
-    const Vec3 f = answer(local(motion_of(dof, m.e, c.lever)), surface[k]);
+  for (int k = 0; k < count; ++k) {
+    const Vec3 f = answer(centre[k], surface[k]);
     rows(f);
     Lane *B = system_.B(group, moving[k]), *C = system_.C(group, moving[k]);
     for (int row = 0; row < 6; ++row) {
@@ -124,55 +214,6 @@ void BearingForces::pocket(const Stage &stage, const BearingModel::Cage &cage, c
       C[row][i] -= dot(surface[k], by_ball[row]);
     }
     for (int o = 0; o < count; ++o) system_.D(moving[o], moving[k]) += dot(surface[o], f);
-    ++k;
-  }
-}
-
-// Adds the derivatives of the force of a squeeze film to the rows of a ball and its cage. The film
-// answers a motion u of the ball's centre with both u + x (x_share.u) + v (v_share.u).
-void BearingForces::film_rows(const Stage &stage, const RingBody &ring, const CageMotion &m,
-                              const PocketContact &c, int slot)
-{
-  const int group = slot / lanes, i = slot % lanes;
-  BodyGroup &g = b_.groups[group];
-  const double cosine = g.now.c[i], sine = g.now.s[i], h = stage.h, springs = h * stage.follows();
-  const auto local = [&](const Vec3 &a) -> Vec3 {
-    return {a.x * cosine + a.y * sine, a.y * cosine - a.x * sine, a.z};
-  };
-  const PocketSqueeze &film = c.film;
-  const Vec3 x = local(film.x), v = local(film.v), axis = c.spherical ? Vec3() : local(c.axis);
-  const auto share = [&](const double *slope) -> Vec3 {
-    return x * (2.0 * springs * slope[0] + h * slope[1]) +
-           v * (springs * slope[1] + 2.0 * h * slope[2]);
-  };
-  const Vec3 x_share = share(film.spring), v_share = share(film.damper);
-  const double both = springs * film.of.spring + h * film.of.damper;
-  const auto add = [i](Lane *to, const Vec3 &a) {
-    to[0][i] += a.x;
-    to[1][i] += a.y;
-    to[2][i] += a.z;
-  };
-  const Vec3 unit[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-  for (int k = 0; k < 3; ++k) {
-    const Vec3 f = (unit[k] - axis * dot(axis, unit[k])) * both + x * dot(x_share, unit[k]) +
-                   v * dot(v_share, unit[k]);
-    for (int row = 0; row < 3; ++row) g.A[6 * row + k][i] += dot(f, unit[row]);
-  }
-  if (!ring.loose) return;
-  g.coupled = true;
-  Vec3 motion[RingProgram::N_DOF];
-  int column[RingProgram::N_DOF], count = 0;
-  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
-    if (ring.column[dof] < 0) continue;
-    column[count] = ring.column[dof];
-    motion[count++] = local(motion_of(dof, m.e, c.lever));
-  }
-  for (int k = 0; k < count; ++k) {
-    const Vec3 &u = motion[k], across = (u - axis * dot(axis, u)) * both;
-    const Vec3 f = across + x * dot(x_share, u) + v * dot(v_share, u);
-    add(system_.B(group, column[k]), -f);
-    add(system_.C(group, column[k]), -(across + x_share * dot(x, u) + v_share * dot(v, u)));
-    for (int o = 0; o < count; ++o) system_.D(column[o], column[k]) += dot(motion[o], f);
   }
 }
 
@@ -203,7 +244,8 @@ void BearingForces::land(const Stage &stage, const BearingModel::Cage &cage, con
       const Vec3 lever = r == &ring      ? Vec3()
                          : guide.levered ? c.lever + guide.now.e * guide.at
                                          : c.lever;
-      const Vec3 way = motion_of(dof, r->now.e, lever) * (r == &ring ? 1.0 : -1.0);
+      const CageAxesT<double> axes = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, r->now.e};
+      const Vec3 way = axes.motion(dof, lever) * (r == &ring ? 1.0 : -1.0);
       moving.push_back({r->column[dof], {dot(way, c.axis[0]), dot(way, c.axis[1])}});
     }
   const double springs = stage.h * stage.follows();
