@@ -42,6 +42,14 @@ struct alignas(32) ContactLook {
 // Overlap assumed for an open contact whose derivatives are needed, m.
 static constexpr double barely_touching = 1e-9;
 
+// Effects of the oil in the pockets on a cage, summed over groups of balls.
+struct PocketSums {
+  Vec3L force, moment;                                         // on the balls, N; on the cage, N m
+  Lane loss = {};                                              // W
+  Lane corner[RingProgram::N_DOF][RingProgram::N_DOF] = {};    // added to D (BearingSystem)
+  int column[RingProgram::N_DOF], columns = 0;
+};
+
 // Settings of an evaluation.
 struct Stage {
   double h = 0.0;               // s, length of the stage
@@ -105,10 +113,10 @@ class BearingForces {
   // cage_ring_forces.cpp
   void cages(const Stage &);
   RACEWAY_INLINE void pockets_of(const Stage &, const BearingModel::Cage &, const CageMotion &,
-                                 const BearingBodies::Cell &);
+                                 const Vec3L &axis, const BearingBodies::Cell &, PocketSums &);
   RACEWAY_INLINE void film_rows(const Stage &, const BearingModel::Cage &,
                                 const BearingBodies::Cell &, const PocketGapT<Lane> &,
-                                const PocketOilT<Lane> &, const CageAxesT<Lane> &);
+                                const PocketOilT<Lane> &, const CageAxesT<Lane> &, PocketSums &);
   void wall(const Stage &, const BearingModel::Cage &, const PocketGapT<double> &,
             const PocketWall &, const CageAxesT<double> &, int group, int lane);
   void land(const Stage &, const BearingModel::Cage &, const CageMotion &);

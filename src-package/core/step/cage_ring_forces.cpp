@@ -13,11 +13,7 @@ static CageMotion motion_of(const RingPose &r)
 
 static RACEWAY_INLINE Vec3 in_lane(const Vec3L &a, int i) { return {a.x[i], a.y[i], a.z[i]}; }
 
-static RACEWAY_INLINE Vec3 summed(const LaneMask &live, const Vec3L &a)
-{
-  const Lane none = {};
-  return {sum(where(live, a.x, none)), sum(where(live, a.y, none)), sum(where(live, a.z, none))};
-}
+static RACEWAY_INLINE Vec3 sum(const Vec3L &a) { return {sum(a.x), sum(a.y), sum(a.z)}; }
 
 // Adds s a to three lanes.
 static RACEWAY_INLINE void add(Lane *to, const Vec3L &a, const Lane &s)
@@ -33,7 +29,19 @@ RACEWAY_LANES void BearingForces::cages(const Stage &stage)
     const BearingModel::Cage &cage = b_.model.cages[k];
     RingBody &ring = b_.rings[cage.ring];
     const CageMotion m = motion_of(ring.now);
-    for (const BearingBodies::Cell &cell : b_.cells[k]) pockets_of(stage, cage, m, cell);
+    PocketSums sums;
+    const double first = m.angle + cage.of->phase, cosine = std::cos(first), sine = std::sin(first);
+    for (const BearingBodies::Cell &cell : b_.cells[k])
+      pockets_of(stage, cage, m,
+                 carried_across<Lane>(m.e, cosine * cell.cosine - sine * cell.sine,
+                                      sine * cell.cosine + cosine * cell.sine),
+                 cell, sums);
+    ring.force -= sum(sums.force);
+    ring.moment += sum(sums.moment);
+    power_lost_ += sum(sums.loss);
+    for (int i = 0; i < sums.columns; ++i)
+      for (int o = 0; o < sums.columns; ++o)
+        system_.D(sums.column[o], sums.column[i]) += sum(sums.corner[o][i]);
     if (cage.land >= 0) land(stage, cage, m);
     const double churning = cage.of->churning(ring.now.spin);
     ring.moment -= m.e * churning;
@@ -43,29 +51,27 @@ RACEWAY_LANES void BearingForces::cages(const Stage &stage)
 
 // All vectors are in the frames of the balls.
 RACEWAY_INLINE void BearingForces::pockets_of(const Stage &stage, const BearingModel::Cage &cage,
-                                              const CageMotion &m, const BearingBodies::Cell &cell)
+                                              const CageMotion &m, const Vec3L &axis,
+                                              const BearingBodies::Cell &cell, PocketSums &sums)
 {
   const bool fresh = stage.evaluate == Evaluate::derivatives;
-  RingBody &ring = b_.rings[cage.ring];
   BodyGroup &g = b_.groups[cell.group];
   const LaneFrame &f = g.now;
   const Lane none = {};
   const CageAxesT<Lane> axes = {
       {f.c, -f.s, none}, {f.s, f.c, none}, {none, none, all_lanes(1.0)}, f.local(m.e)};
-  const double first = m.angle + cage.of->phase, c = std::cos(first), s = std::sin(first);
-  const Vec3L pocket = f.local(
-      carried_across<Lane>(m.e, c * cell.cosine - s * cell.sine, s * cell.cosine + c * cell.sine));
   const Vec3L lever = Vec3L{f.r, none, f.z} - f.local(m.x - b_.centre), w = f.local(m.w);
-  const PocketGapT<Lane> gap =
-      pocket_gap(*cage.of, axes.e, pocket, lever, g.v - f.local(m.v) - cross(w, lever), g.w - w);
+  const PocketGapT<Lane> gap = pocket_gap(*cage.of, axes.e, f.local(axis), lever,
+                                          g.v - f.local(m.v) - cross(w, lever), g.w - w);
   const PocketOilT<Lane> oil = pocket_oil(*cage.of, gap, fresh);
   const Lane h = where(cell.live, stage.h, 0.0);
   add(g.rhs, oil.force, h);
   add(g.rhs + 3, oil.ball_torque, h);
-  ring.force -= summed(cell.live, f.lab(oil.force));
-  ring.moment += summed(cell.live, f.lab(oil.cage_moment));
-  power_lost_ += sum(where(cell.live, oil.loss, none));
-  if (fresh && cage.of->film.viscosity > 0.0) film_rows(stage, cage, cell, gap, oil, axes);
+  const Lane share = where(cell.live, 1.0, 0.0);
+  sums.force += f.lab(oil.force * share);
+  sums.moment += f.lab(oil.cage_moment * share);
+  sums.loss += oil.loss * share;
+  if (fresh && cage.of->film.viscosity > 0.0) film_rows(stage, cage, cell, gap, oil, axes, sums);
   const double close = fresh ? stage.close_cage : 0.0;
   const LaneMask near = cell.live & (gap.overlap > -close);
   if (!any(near)) return;
@@ -94,7 +100,7 @@ RACEWAY_INLINE void BearingForces::film_rows(const Stage &stage, const BearingMo
                                              const BearingBodies::Cell &cell,
                                              const PocketGapT<Lane> &gap,
                                              const PocketOilT<Lane> &oil,
-                                             const CageAxesT<Lane> &axes)
+                                             const CageAxesT<Lane> &axes, PocketSums &sums)
 {
   const RingBody &ring = b_.rings[cage.ring];
   BodyGroup &g = b_.groups[cell.group];
@@ -122,20 +128,21 @@ RACEWAY_INLINE void BearingForces::film_rows(const Stage &stage, const BearingMo
   if (!ring.loose) return;
   g.coupled = true;
   Vec3L motion[RingProgram::N_DOF];
-  int column[RingProgram::N_DOF], count = 0;
+  int count = 0;
   for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
     if (ring.column[dof] < 0) continue;
-    column[count] = ring.column[dof];
+    sums.column[count] = ring.column[dof];
     motion[count++] = axes.motion(dof, gap.lever);
   }
+  sums.columns = count;
   const Lane minus = all_lanes(-1.0);
   for (int k = 0; k < count; ++k) {
     const Vec3L &u = motion[k], across = (u - axis * dot(axis, u)) * both;
     const Vec3L f = across + x * dot(x_share, u) + v * dot(v_share, u);
-    add(system_.B(cell.group, column[k]), f, minus);
-    add(system_.C(cell.group, column[k]), across + x_share * dot(x, u) + v_share * dot(v, u),
+    add(system_.B(cell.group, sums.column[k]), f, minus);
+    add(system_.C(cell.group, sums.column[k]), across + x_share * dot(x, u) + v_share * dot(v, u),
         minus);
-    for (int o = 0; o < count; ++o) system_.D(column[o], column[k]) += sum(dot(motion[o], f));
+    for (int o = 0; o < count; ++o) sums.corner[o][k] += dot(motion[o], f);
   }
 }
 
