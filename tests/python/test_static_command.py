@@ -270,7 +270,7 @@ def test_full_models(capsys):
     oil = inputs.oil(ROOT / "inputs/lubricants/vg46", 70.0)
     assert paper["viscosity_Pa_s"] == oil.viscosity == full["viscosity_Pa_s"]
     assert full["shift_x_m"] < paper["shift_x_m"]
-    assert set(full["losses_W"]) == {"rolling", "slip", "spin", "hysteresis", "drag"}
+    assert set(full["losses_W"]) == {"rolling", "slip", "spin", "hysteresis", "drag", "cage"}
     assert full["friction_torque_N_m"] * 1910 * np.pi / 30 == pytest.approx(
         sum(full["losses_W"].values())
     )

@@ -13,7 +13,7 @@ from typing import Any
 
 from raceway.commands.quantity import number, positive
 from raceway.theory.cleanliness import CLEANLINESS
-from raceway.theory.models import DEFAULT
+from raceway.theory.models import DEFAULT, PAPER
 
 POINT = {  # {quantity of an operating point: (type, unit in the help, help)}
     "load": (number(0, 1e6, "N"), "N", "radial load along x, in newtons (default: 0)"),
@@ -180,16 +180,16 @@ def cage(to: Any) -> None:
     """Add --cage and --cage-play, which determine the losses at the cage."""
     to.add_argument(
         "--cage",
-        choices=("chain", "ring"),
-        default="chain",
+        choices=("auto", "ring", "chain"),
+        default="auto",
         help="ring: the friction torque includes the oil in the pockets and the churning of a cage"
-        " that is a single ring (default: chain)",
+        " that is a single ring; auto: ring with a lubricant and --models full (default: auto)",
     )
     to.add_argument(
         "--cage-play",
         type=number(1e-6, 0.1, "m"),
         metavar="M",
-        help="with --cage ring: play of the pockets along the pitch circle in metres (default:"
+        help="play of the pockets of a cage ring along the pitch circle in metres (default:"
         " estimated)",
     )
 
@@ -199,7 +199,8 @@ def cage_of(arguments: argparse.Namespace) -> Any:
     whose losses depend on its motion."""
     from raceway.theory.cage_drag import CageRing
 
-    if arguments.cage != "ring":
+    oil = arguments.lubricant not in (None, "dry") and arguments.models != PAPER
+    if arguments.cage == "chain" or (arguments.cage == "auto" and not oil):
         if arguments.cage_play is not None:
             arguments.complain("--cage-play applies to a cage ring: give --cage ring")
         return None
