@@ -245,7 +245,9 @@ void RunBearing::settle_adaptively()
   constexpr double chunk = 5000.0;    // steps
   const bool chooses = settings_.step == 0.0;
   const std::string done = "f_" + step_id + "[3]";
-  if (update->ntimestep == 0) set_step(chooses ? 1e-7 : settings_.step);
+  // a run that was stopped continues with the last step that it chose (fix bearing/timestep)
+  if (!chooses) set_step(settings_.step);
+  else if (update->ntimestep == 0) set_step(1e-7);
   input->one(
       ("fix " + step_id + " all bearing/timestep " +
        (chooses ? "20 safety " + digits(settings_.safety) + " adapt yes" : "1000 exceed stop"))
@@ -262,6 +264,9 @@ void RunBearing::settle_adaptively()
   input->one(("variable " + share_id + " delete").c_str());
   fix_step(chooses ? settings_.safety * written(limit) : settings_.step);
   now().begin_steps = static_cast<double>(update->ntimestep);
+  // rounding errors of the time are then the same in a run that has been stopped
+  if (!chooses)
+    bearing::SimulatedTime::set(*update, now().start + now().begin_steps * settings_.step);
 }
 
 // Runs ball pass by ball pass until the temperatures of the fixes bearing/heat no longer change.

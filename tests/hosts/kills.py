@@ -44,7 +44,14 @@ SCENES = (
         "dumps": "yes",
         "within": 5,
     },
-    {"lubricant": "dry", "integrator": "verlet", "passes": 4, "keep": 25, "dumps": "yes"},
+    {
+        "lubricant": "dry",
+        "integrator": "verlet",
+        "rpm": 9549,
+        "passes": 10,
+        "keep": 25,
+        "dumps": "yes",
+    },
 )
 
 

@@ -77,8 +77,8 @@ def test_torque_of_statics_has_the_cage():
 
 
 def test_cage_of_the_commands(capsys, monkeypatch):
-    """In the commands static and heat, a ring, the default, causes larger losses than a cage that is
-    a chain of balls, and the losses decrease as the play increases."""
+    """In the commands static and heat, a ring, the default, causes larger losses than a chain of
+    balls, and the losses decrease as the play increases."""
     monkeypatch.chdir(ROOT)
     words = ["--load", "1000", "--rpm", "9549", "--lubricant", "vg32", "--json"]
 

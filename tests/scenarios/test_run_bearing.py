@@ -16,7 +16,7 @@ DECK = "tests/scenarios/in.run"
 BALLS, BALL, INNER, OUTER, GROOVE = 9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3
 IMPLICIT = {"move": "bearing/implicit tolerance 1.0e-9 relative 2e-4"}
 DAMPING = {"move": "bearing/implicit solve damping tolerance 1.0e-7"}
-VERLET = {"move": "nve/sphere", "movers": "parts", "rpm": 5000}
+VERLET = {"move": "nve/sphere", "movers": "parts", "rpm": 20000, "more": "step 3.0e-6"}
 
 
 def ball_pass(rpm=1500.0, outer_rpm=0.0, angle=0.0, clearance=0.0):
@@ -247,12 +247,16 @@ def stop(out, scene, share, deck=DECK):
     [
         ({**IMPLICIT, "settle": 600}, 15),
         ({**VERLET, "settle": 20}, 15),
+        ({**VERLET, "settle": 20, "more": "step 0"}, 15),
         ({**TURNS, "settle": "auto"}, 0),
         ({**TURNS, "settle": "auto"}, 2),
         ({**TURNS, "settle": "auto", "more": "settled 1.0e-6 limit 9"}, 8),
         ({**VERLET, "settle": "auto", "more": "settled 1.0e-6 limit 8"}, 3),
     ],
-    ids=["implicit", "verlet", "ramp, auto", "coarse, auto", "last, auto", "verlet, auto"],
+    ids=[
+        *("implicit", "verlet", "verlet, chosen steps"),
+        *("ramp, auto", "coarse, auto", "last, auto", "verlet, auto"),
+    ],
 )
 def test_stopped_while_it_settles(scene, at, tmp_path):
     """A run that was stopped can be continued, also with adaptive steps. It is stopped while the
