@@ -177,7 +177,7 @@ def test_a_cage_on_balls_slips_more_than_one_on_its_land(tmp_path):
 @pytest.mark.parametrize("guide", ["guide balls", LAND])
 def test_ranks_hosts_and_restarts_keep_bits(tmp_path, integrator, guide):
     fast = VERLET if integrator == "verlet" else {}
-    span = dict(steps=8000, sample=400) if fast else dict(steps=200, sample=10)
+    span = dict(steps=3000, sample=150) if fast else dict(steps=200, sample=10)
     half = span["steps"] // 2
     words = f"friction 0.1 planar no {guide} oil 0.04 0.3 4.4e-3 churning 0.1 870 0.04 34e-3"
     common = fast | span | dict(words=words, play=2e-5)
