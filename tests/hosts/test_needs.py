@@ -11,6 +11,7 @@ from host import ROOT, succeed
 from raceway.cli import main
 from raceway.runs.run import Run
 from raceway.sweeps import scene_parts
+from raceway.sweeps.points import deck_variables
 from raceway.sweeps.scene_parts import REFERENCE, choices, sets, variables
 
 SEED = 16
@@ -208,6 +209,8 @@ def test_parts_of_a_cage_ring_are_choices():
     assert parts(cage="ring") - parts() == ring
     assert parts(cage="ring", cage_guide="outer") - parts() == ring | {"cage land"}
     assert parts(cage="auto") - parts() == ring
+    deck = choices({}, True, deck_variables(ROOT / "inputs/in.6208"))
+    assert {one.name for one in deck} >= ring  # the default of the deck is a ring
     assert parts(cage="auto", pocket_play="1e-4") == parts()  # data of a chain
     picked = [one for one in choices({"cage": "ring"}, True) if one.name in ring - {"cage chain"}]
     left = variables(picked)["cage_without"]

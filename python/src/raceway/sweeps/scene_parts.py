@@ -68,7 +68,7 @@ def choices(
 
 def _all_choices(lubricated, values):
     if values.get("cage") == "auto":  # as NameBearing::runs_with_ring for the reference
-        balls = values.keys() & {"cage_ball_diameter", "pocket_play"}
+        balls = values.get("cage_ball_diameter") or values.get("pocket_play")
         values = {**values, "cage": "ring" if lubricated and not balls else "chain"}
     return [
         Choice(
