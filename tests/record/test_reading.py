@@ -149,7 +149,7 @@ def test_what_nobody_told(one_line):
 
 
 def test_many(tmp_path, capsys):
-    words = dict(bearings=4, columns=2, time=6e-3, ramp=1e-3, record="all")
+    words = dict(bearings=4, columns=2, time=6e-3, ramp=1e-3, record="all", cage="chain")
     succeed("inputs/in.many", out=tmp_path / "run", **words)
     run = raceway.open(tmp_path / "run")
     assert run.bearing_numbers == [1, 2, 3, 4] and run.contacts.sizes["ball"] == 36

@@ -303,7 +303,7 @@ def test_many_is_its_table(many):
     )
     names = names.split() + ["capacitance"]
     with opened(many / "1") as data:
-        assert data.sizes["bearing"] == 6 and data.sizes["ball"] == 54 and data.sizes["ring"] == 12
+        assert data.sizes["bearing"] == 6 and data.sizes["ball"] == 54 and data.sizes["ring"] == 18
         inner = data.isel(ring=data["ring_raceway"].values == 0)
         assert inner["ring_bearing"].values.tolist() == [1, 2, 3, 4, 5, 6]
         for sample, (step, table) in enumerate(tables(many / "1" / "bearings.dump")):
