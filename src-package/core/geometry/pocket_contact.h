@@ -80,7 +80,8 @@ template <class T> struct alignas(sizeof(T)) PocketOilT {
   }
 };
 
-// `slopes` asks for the derivatives of the film.
+// Returns the forces of the oil on a ball and its cage, with the derivatives of the film if `slopes`
+// is true.
 template <class T>
 RACEWAY_INLINE PocketOilT<T> pocket_oil(const CageRing &cage, const PocketGapT<T> &gap, bool slopes)
 {
@@ -151,6 +152,7 @@ struct PocketContact {
   double push() const { return norm(oil.force + wall.normal * wall.h.force); }
 };
 
+// Returns the contact of a ball in the pocket with this number.
 PocketContact pocket_contact(const CageRing &, const CageMotion &, int pocket, const PocketBall &);
 
 }    // namespace raceway

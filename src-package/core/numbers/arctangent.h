@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Arctangent by series, for a double or a Lane, accurate to 2 units in the last place and bitwise
-// identical on all processors and in all lanes, as exp_log.h.
+// identical on all processors and in all lanes, as in exp_log.h. The argument must be finite.
 //
 // With |x| = p/q, p <= q, the argument is reduced by atan(p/q) = atan(c) + atan(y),
 // y = (p - c q)/(q + c p), where c is 0, 1/2 or 1, so |y| < 0.237. The Taylor series of atan(y) to
