@@ -80,8 +80,8 @@ template <class T> struct alignas(sizeof(T)) PocketOilT {
   }
 };
 
-// Returns the forces of the oil on a ball and its cage, with the derivatives of the film if `slopes`
-// is true.
+// Returns the forces of the oil on a ball and its cage. The derivatives of the film are included if
+// `slopes` is true.
 template <class T>
 RACEWAY_INLINE PocketOilT<T> pocket_oil(const CageRing &cage, const PocketGapT<T> &gap, bool slopes)
 {
