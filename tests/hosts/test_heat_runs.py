@@ -9,6 +9,7 @@ from host import ROOT
 from raceway.cli import main
 from raceway.sweeps import heat_runs
 from raceway.theory import heat_scene, steady_heat
+from raceway.theory.cage_drag import CageRing
 
 POINT = ["heat", "--load", "5000", "--rpm", "9549", "--lubricant", "vg46"]
 
@@ -31,7 +32,7 @@ def heat(capsys, folder, *more):
 
 def test_balance_with_the_friction_of_runs(capsys, folder):
     code, found, said = heat(capsys, folder, "--runs", "2")
-    case = steady_heat.Case("6208", "vg46", load=5000.0, rpm=9549.0)
+    case = steady_heat.Case("6208", "vg46", load=5000.0, rpm=9549.0, cage=CageRing())
     scene, conductance = case.scene(), found["conductance_W_K"]
     # a second run follows if friction in the first run changes the temperature by at least CLOSE
     first = round(case.steady(scene)["temperature_C"], 2)
