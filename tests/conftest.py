@@ -16,7 +16,7 @@ import os
 import pytest
 from xdist.scheduler import LoadFileScheduling
 
-os.environ.update(HWLOC_COMPONENTS="synthetic", HWLOC_SYNTHETIC=f"pu:{os.cpu_count()}")
+os.environ.update(HWLOC_COMPONENTS="synthetic", HWLOC_SYNTHETIC=f"core:{os.cpu_count()} pu:1")
 
 
 class Scheduling(LoadFileScheduling):
