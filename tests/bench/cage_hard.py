@@ -31,7 +31,7 @@ DECK = "tests/scenarios/in.cage_ring"
 ORBIT = (1 - 6.3e-3 / ((24.0e-3 + 36.605e-3) / 2)) / 2  # cage speed divided by shaft speed
 WORDS = "friction 0.1 wall 1e6 planar yes"
 OIL = "oil 0.04 0.3 4.2e-3"  # as in the default models
-# With the tolerances of the main deck, the torque of lightly loaded balls is 1 to 2 % too high.
+# With the tolerances of the main deck, the torque is up to 2.4 % too high.
 CONTROL = dict(control="tolerance 1e-10 relative 2e-5 cage_tolerance 1e-7 energy yes")
 SAMPLES, PARTS = 6000, 12  # per run; the means of the parts of a run give the standard error
 # s, steps of velocity Verlet; friction is stiffer for slow or heavily loaded balls

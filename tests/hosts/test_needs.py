@@ -11,6 +11,7 @@ from host import ROOT, succeed
 from raceway.cli import main
 from raceway.runs.run import Run
 from raceway.sweeps import scene_parts
+from raceway.sweeps.needs import Outcome, _cheapest
 from raceway.sweeps.points import deck_variables
 from raceway.sweeps.scene_parts import REFERENCE, choices, sets, variables
 
@@ -216,3 +217,11 @@ def test_parts_of_a_cage_ring_are_choices():
     left = variables(picked)["cage_without"]
     assert left == "friction+shear+film+churning"
     assert "without" not in variables(picked)
+
+
+def test_evaluations_decide_where_times_overlap():
+    """Processor times decide if all of one set are shorter than all of the other."""
+    few, many = (Outcome((), {}, {}, 1.0, evaluations, "") for evaluations in (0.2, 0.8))
+    last = {"many": many, "few": few}
+    for times, name in (([3.0, 9.0, 4.0], "few"), ([6.0, 9.0, 7.0], "many")):
+        assert _cheapest(last, {"few": times, "many": [3.5, 4.0, 5.0]})[0] == name

@@ -94,6 +94,8 @@ def test_cage_of_the_commands(capsys, monkeypatch):
     assert wide["losses_W"]["cage"] == one["losses_W"]["cage"]
     hot = [found("heat", *more)["temperature_C"] for more in cages]
     assert hot[0] < hot[1] == hot[2]
+    # as in the main deck, the default is a ring only with the models full
+    assert "cage" not in found("static", "--models", "eyring")["losses_W"]
 
 
 def test_runs_of_heat_have_the_same_cage(bearing):

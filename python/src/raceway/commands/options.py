@@ -13,7 +13,7 @@ from typing import Any
 
 from raceway.commands.quantity import number, positive
 from raceway.theory.cleanliness import CLEANLINESS
-from raceway.theory.models import DEFAULT, PAPER
+from raceway.theory.models import DEFAULT
 
 POINT = {  # {quantity of an operating point: (type, unit in the help, help)}
     "load": (number(0, 1e6, "N"), "N", "radial load along x, in newtons (default: 0)"),
@@ -199,8 +199,9 @@ def cage_of(arguments: argparse.Namespace) -> Any:
     whose losses depend on its motion."""
     from raceway.theory.cage_drag import CageRing
 
-    oil = arguments.lubricant not in (None, "dry") and arguments.models != PAPER
-    if arguments.cage == "chain" or (arguments.cage == "auto" and not oil):
+    oil = arguments.lubricant not in (None, "dry")
+    usual = oil and arguments.models == DEFAULT  # as NameBearing::runs_with_ring
+    if arguments.cage == "chain" or (arguments.cage == "auto" and not usual):
         if arguments.cage_play is not None:
             arguments.complain("--cage-play applies to a cage ring: give --cage ring")
         return None

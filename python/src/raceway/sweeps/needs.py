@@ -131,10 +131,11 @@ def _cheapest(last, times):
     """Return (name, set) of the set with the lowest processor time. If the ranges of times overlap
     because the machine is busy, the number of evaluations decides."""
     by_evaluations = sorted(last.items(), key=lambda item: item[1].evaluations)
-    for name, one in by_evaluations:
-        if all(max(times[other]) >= min(times[name]) for other in last):
-            return name, one
-    raise AssertionError("the set with the shortest time is never slower than all others")
+    return next(
+        (name, one)
+        for name, one in by_evaluations
+        if all(max(times[other]) >= min(times[name]) for other in last)
+    )
 
 
 def _rounds(lab, single, wanted):
