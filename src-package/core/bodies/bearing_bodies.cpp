@@ -241,9 +241,9 @@ void BearingBodies::store(std::vector<BodyPose> &bodies, std::vector<RingPose> &
     const int i = static_cast<int>(at % lanes);
     const Vec3L x = g.from.place(), v = g.from.lab(g.v_from), w = g.from.lab(g.w_from);
     BodyPose &b = bodies[body_at[at]];
-    b.x = Vec3{x.x[i], x.y[i], x.z[i]} + centre;
-    b.v = {v.x[i], v.y[i], v.z[i]};
-    if (g.spins) b.w = {w.x[i], w.y[i], w.z[i]};
+    b.x = in_lane(x, i) + centre;
+    b.v = in_lane(v, i);
+    if (g.spins) b.w = in_lane(w, i);
     if (!turns.empty() && turns_at[at / lanes] >= 0)
       b.turn = turns[turns_at[at / lanes]].stored(i, g.from);
   }

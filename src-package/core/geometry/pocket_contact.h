@@ -24,8 +24,6 @@ template <class T> struct alignas(sizeof(T)) PocketGapT {
   Vec3T<T> axis;              // of the pocket
   Vec3T<T> lever;             // m, vector from the cage's centre to the ball's centre
   Vec3T<T> velocity, spin;    // of the ball relative to the cage, m/s and rad/s
-  Vec3T<T> offset;            // m, from the pocket's centre to the ball's centre: components along
-                              // the circle, the axis of the bearing and the radius
   T around, beyond;           // m, components of `apart` along the circle and along the axis
   Vec3T<T> apart;             // m, displacement as far as the wall limits it
   T distance;                 // m, its magnitude
@@ -52,11 +50,10 @@ RACEWAY_INLINE PocketGapT<T> pocket_gap(const CageRing &cage, const Vec3T<T> &e,
   g.lever = lever;
   g.velocity = velocity;
   g.spin = spin;
-  g.offset = {dot(lever, t), dot(lever, e), dot(lever, axis) - cage.pitch};
-  g.around = beyond_slot(g.offset.x, cage.along - clearance);
-  g.beyond = beyond_slot(g.offset.y, cage.across - clearance);
+  g.around = beyond_slot(dot(lever, t), cage.along - clearance);
+  g.beyond = beyond_slot(dot(lever, e), cage.across - clearance);
   g.apart = t * g.around + e * g.beyond;
-  if (cage.spherical) g.apart += axis * g.offset.z;
+  if (cage.spherical) g.apart += axis * (dot(lever, axis) - cage.pitch);
   g.distance = norm(g.apart);
   g.overlap = g.distance - clearance;
   return g;

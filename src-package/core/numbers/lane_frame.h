@@ -16,6 +16,8 @@ namespace raceway {
 
 using Vec3L = Vec3T<Lane>;
 
+RACEWAY_INLINE Vec3 in_lane(const Vec3L &a, int i) { return {a.x[i], a.y[i], a.z[i]}; }
+
 // Cosine and sine are computed by Taylor series to x^16, with an error that is below 1e-18 up to
 // 0.6 rad, the limit for a stage, and 5e-15 at 1.2 rad, the limit for a whole step with two stages
 // or drifts.

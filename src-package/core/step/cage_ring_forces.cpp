@@ -11,8 +11,6 @@ static CageMotion motion_of(const RingPose &r)
   return {r.x, r.v, r.e, r.angular_velocity(), r.angle};
 }
 
-static RACEWAY_INLINE Vec3 in_lane(const Vec3L &a, int i) { return {a.x[i], a.y[i], a.z[i]}; }
-
 static RACEWAY_INLINE Vec3 sum(const Vec3L &a) { return {sum(a.x), sum(a.y), sum(a.z)}; }
 
 // Adds s a to three lanes.

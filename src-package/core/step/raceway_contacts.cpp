@@ -53,8 +53,8 @@ double BearingForces::longest_step_of_balls() const
       const Vec3L x = g.from.place();
       for (int i = 0; i < lanes; ++i) {
         if (!balls.of[i]) continue;
-        const Vec3 from_ring = Vec3{x.x[i], x.y[i], x.z[i]} + b_.centre - ring.x -
-                               ring.e * track.physics->groove.offset;
+        const Vec3 from_ring =
+            in_lane(x, i) + b_.centre - ring.x - ring.e * track.physics->groove.offset;
         const GroovePosition p = locate(from_ring, ring.e, track.physics->centre_circle);
         const Vec3 lab = p.u * p.nu + ring.e * p.ne;
         const double c = g.from.c[i], s = g.from.s[i];
