@@ -2,6 +2,7 @@
 #include "name_bearing.h"
 
 #include "../core/settings/deck_variable_table.h"
+#include "../core/settings/usual_cage.h"
 #include "../deck/agree.h"
 #include "../deck/given_variables.h"
 #include "derive_laws.h"
@@ -49,7 +50,7 @@ void NameBearing::command(int narg, char **arg)
   b.data = bearing::read_data(lmp, args, inputs, "bearings", data);
   b.given = bearing::given_of(b.data, {"bearing data", "usual data"});
   const std::string balls = cage_ball_datum(b);
-  if (cage == "auto") cage = balls.empty() && runs_with_ring() ? "ring" : "chain";
+  if (cage == "auto") cage = usual_cage(!balls.empty());
   b.has_cage = cage == "yes" || cage == "chain";
   b.has_cage_ring = cage == "ring";
   if (b.has_cage_ring && !balls.empty())
@@ -116,16 +117,13 @@ std::string NameBearing::cage_ball_datum(const NamedBearing &b)
   return "";
 }
 
-// Returns true if the deck's variables are those of a scene whose cage is one ring unless stated
-// otherwise: the models `full`, implicit steps, and a lubricant, without which balls strike their
-// pockets.
-bool NameBearing::runs_with_ring()
+// Returns the kind of cage for `cage auto` with the variables of the deck.
+std::string NameBearing::usual_cage(bool cage_balls)
 {
-  const auto is = [&](const char *variable, const std::string &value) {
-    const auto found = bearing::host_variable(lmp, variable);
-    return found && *found == value;
+  const auto given = [&](const char *variable) {
+    return bearing::host_variable(lmp, variable).value_or("");
   };
-  return is("models", "full") && is("integrator", "implicit") && !is("lubricant", "dry");
+  return bearing::usual_cage(given("models"), given("integrator"), given("lubricant"), cage_balls);
 }
 
 // Completes the data and derives the dimensions of the raceways, including their clearance or their

@@ -28,7 +28,7 @@ class NameBearing : public bearing::CommandBase {
  private:
   void refuse_unknown(const bearing::Arguments &, const std::string &inputs);
   static std::string cage_ball_datum(const bearing::NamedBearing &);
-  bool runs_with_ring();
+  std::string usual_cage(bool cage_balls);
   void derive(const bearing::Arguments &, bearing::NamedBearing &);
   void set_variables(const bearing::NamedBearing &);
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Writes the deck variables as JSON, for Python and the documentation, and checks names in data
-// files and values of variables.
+// Writes the deck variables as JSON, for Python and the documentation, checks names in data files
+// and values of variables, and chooses the usual cage.
 #include "../settings/deck_variable_table.h"
+#include "../settings/usual_cage.h"
 #include "json_text.h"
 
 #include <sstream>
@@ -46,4 +47,10 @@ extern "C" const char *wrong_value(const char *name, const char *value)
   const bearing::DeckVariable *const of = bearing::find_deck_variable(name);
   message = of ? bearing::wrong_value(*of, value) : "";
   return message.c_str();
+}
+
+extern "C" const char *usual_cage(const char *models, const char *integrator, const char *lubricant,
+                                  const char *cage_balls)
+{
+  return bearing::usual_cage(models, integrator, lubricant, *cage_balls != '\0');
 }

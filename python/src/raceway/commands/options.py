@@ -11,6 +11,7 @@ import os
 from collections.abc import Sequence
 from typing import Any
 
+from raceway import core
 from raceway.commands.quantity import number, positive
 from raceway.theory.cleanliness import CLEANLINESS
 from raceway.theory.models import DEFAULT
@@ -199,9 +200,10 @@ def cage_of(arguments: argparse.Namespace) -> Any:
     whose losses depend on its motion."""
     from raceway.theory.cage_drag import CageRing
 
-    oil = arguments.lubricant not in (None, "dry")
-    usual = oil and arguments.models == DEFAULT  # as NameBearing::runs_with_ring
-    if arguments.cage == "chain" or (arguments.cage == "auto" and not usual):
+    kind = arguments.cage
+    if kind == "auto":
+        kind = core.usual_cage(arguments.models, "implicit", arguments.lubricant or "dry")
+    if kind == "chain":
         if arguments.cage_play is not None:
             arguments.complain("--cage-play applies to a cage ring: give --cage ring")
         return None

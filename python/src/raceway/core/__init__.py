@@ -61,6 +61,12 @@ def wrong_value(name: str, value: str) -> str:
     return _message("wrong_value", name, value)
 
 
+def usual_cage(models: str, integrator: str, lubricant: str, cage_balls: str = "") -> str:
+    """Return the kind of cage, ring or chain, that `cage auto` stands for. `cage_balls` is empty
+    unless there are data of cage balls. Raises `NotBuilt`."""
+    return _message("usual_cage", models, integrator, lubricant, cage_balls)
+
+
 @functools.cache  # most data files have the same names, and many rows of a table the same values
 def _message(function, *words):
     message = ctypes.CDLL(str(_built()))[function]

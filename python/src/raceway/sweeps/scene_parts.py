@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import yaml
 
-from raceway import catalogue, inputs
+from raceway import catalogue, core, inputs
 from raceway.errors import RacewayError
 
 _DATA = yaml.safe_load(files("raceway").joinpath("sweeps/scene_parts.yaml").read_text())
@@ -67,9 +67,11 @@ def choices(
 
 
 def _all_choices(lubricated, values):
-    if values.get("cage") == "auto":  # as NameBearing::runs_with_ring for the reference
-        balls = values.get("cage_ball_diameter") or values.get("pocket_play")
-        values = {**values, "cage": "ring" if lubricated and not balls else "chain"}
+    if values.get("cage") == "auto":
+        balls = values.get("cage_ball_diameter") or values.get("pocket_play") or ""
+        oil = "" if lubricated else "dry"
+        cage = core.usual_cage(REFERENCE["models"], REFERENCE["integrator"], oil, balls)
+        values = {**values, "cage": cage}
     return [
         Choice(
             row["name"],
