@@ -2,8 +2,7 @@
 // Includes the host's headers and defines common names (BRG_...) for everything that differs
 // between hosts. The include path determines the host: LIGGGHTS 3.x, LAMMPS 29Sep2021 (Debian 12),
 // or LAMMPS 4May2022 and later.
-#ifndef BEARING_COMPAT_H
-#define BEARING_COMPAT_H
+#pragma once
 
 #define BEARING_LIGGGHTS 1
 #define BEARING_LAMMPS_2021 2
@@ -66,5 +65,3 @@
 #define BRG_ALL_OF(lmp, msg) lmp->error->all(FLERR, BRG_TEXT(msg))
 #define BRG_ONE(msg) error->one(FLERR, BRG_TEXT(msg))
 #define BRG_WARN(msg) error->warning(FLERR, BRG_TEXT(msg))
-
-#endif

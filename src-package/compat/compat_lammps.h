@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Interface of LAMMPS 29Sep2021 and later.
-#ifndef BEARING_COMPAT_LAMMPS_H
-#define BEARING_COMPAT_LAMMPS_H
+#pragma once
 
 #include "../core/numbers/tag.h"
 #include "command.h"
@@ -47,5 +46,3 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp) { lmp->timer->force_
 #define BRG_COMPUTE_ARGS LAMMPS *lmp, int narg, char **arg
 #define BRG_COMPUTE_BASE Compute(lmp, narg, arg)
 #define BRG_COMPUTE_FIRST 3
-
-#endif

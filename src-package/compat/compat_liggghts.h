@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Interface of LIGGGHTS 3.x, which corresponds to a LAMMPS version from about 2014.
-#ifndef BEARING_COMPAT_LIGGGHTS_H
-#define BEARING_COMPAT_LIGGGHTS_H
+#pragma once
 
 #include "../core/numbers/tag.h"
 #include "signal_handling.h"
@@ -50,5 +49,3 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *)
 #define BRG_COMPUTE_ARGS LAMMPS *lmp, int &iarg, int narg, char **arg
 #define BRG_COMPUTE_BASE Compute(lmp, iarg, narg, arg)
 #define BRG_COMPUTE_FIRST iarg
-
-#endif

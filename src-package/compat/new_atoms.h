@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Creates spheres in the host, each on the rank whose subdomain contains it. All ranks pass the
 // same list.
-#ifndef BEARING_NEW_ATOMS_H
-#define BEARING_NEW_ATOMS_H
+#pragma once
 
 #include "bearing_compat.h"
 
@@ -107,5 +106,3 @@ inline void map_atoms(LAMMPS_NS::LAMMPS *lmp, int first, double atoms_before, ta
 }
 
 }    // namespace bearing
-
-#endif

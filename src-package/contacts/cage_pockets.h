@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A one-piece cage, and the balls of this rank that are in its pockets.
-#ifndef BEARING_CAGE_POCKETS_H
-#define BEARING_CAGE_POCKETS_H
+#pragma once
 
 #include "../core/geometry/cage_ring.h"
 #include "../core/numbers/tag.h"
@@ -27,5 +26,3 @@ struct CagePockets {
 };
 
 }    // namespace bearing
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The rails of one cage, and the cage balls of this rank that are held by them.
-#ifndef BEARING_CAGE_RAILS_H
-#define BEARING_CAGE_RAILS_H
+#pragma once
 
 #include "../core/geometry/rail.h"
 #include "../core/numbers/tag.h"
@@ -23,5 +22,3 @@ struct CageRails {
 };
 
 }    // namespace bearing
-
-#endif

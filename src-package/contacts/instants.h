@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // State of the bearings at instants within a host step, as provided by fix bearing/implicit.
 // Vectors refer to the lab frame.
-#ifndef BEARING_INSTANTS_H
-#define BEARING_INSTANTS_H
+#pragma once
 
 #include "../core/electric/film_capacitor.h"
 #include "../core/figures/bearing_columns.h"
@@ -63,5 +62,3 @@ class InstantSource {
 };
 
 }    // namespace bearing
-
-#endif

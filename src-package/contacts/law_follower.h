@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // An object that changes the contact law between steps, such as a fix that computes temperatures.
-#ifndef BEARING_LAW_FOLLOWER_H
-#define BEARING_LAW_FOLLOWER_H
+#pragma once
 
 namespace bearing {
 
@@ -16,5 +15,3 @@ class LawFollower {
 };
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The part of the state of a ring that is stored from step to step in addition to the position,
 // velocity and spin of its atom.
-#ifndef BEARING_RING_MOTION_H
-#define BEARING_RING_MOTION_H
+#pragma once
 
 #include "../core/bodies/ring_program.h"
 #include "../core/numbers/lab_axes.h"
@@ -43,5 +42,3 @@ inline void write_place(const raceway::RingPlace &p, const raceway::LabAxes &axe
 }
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Computes the largest stable step of velocity Verlet from the stiffness and damping in the contact
 // table.
-#ifndef BEARING_STEP_CHECK_H
-#define BEARING_STEP_CHECK_H
+#pragma once
 
 #include "../core/figures/contact_table.h"
 
@@ -31,5 +30,3 @@ struct StepLimit {
 StepLimit step_limit(LAMMPS_NS::LAMMPS *lmp, const ContactTable &table);
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Profiles of the raceways of each ring and of balls, i.e. deviations of the surfaces from a torus
 // or a sphere.
-#ifndef BEARING_SURFACE_PROFILES_H
-#define BEARING_SURFACE_PROFILES_H
+#pragma once
 
 #include "../core/numbers/tag.h"
 #include "../core/raceway/profiled_contact.h"
@@ -56,5 +55,3 @@ class SurfaceProfiles {
 };
 
 }    // namespace bearing
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A set of atom tags whose lookup is fast enough to be done for every contact.
-#ifndef BEARING_TAG_SET_H
-#define BEARING_TAG_SET_H
+#pragma once
 
 #include "../core/numbers/tag.h"
 
@@ -33,5 +32,3 @@ class TagSet {
 };
 
 }    // namespace bearing
-
-#endif

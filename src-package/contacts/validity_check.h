@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Collects contacts outside the validity range of the models (core/raceway/validity.h) during a
 // run. Each kind of violation is reported once.
-#ifndef BEARING_VALIDITY_CHECK_H
-#define BEARING_VALIDITY_CHECK_H
+#pragma once
 
 #include "../core/electric/film_capacitor.h"
 #include "../core/figures/contact_table.h"
@@ -41,5 +40,3 @@ class ValidityCheck {
 };
 
 }    // namespace bearing
-
-#endif

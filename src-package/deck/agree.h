@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Broadcasts the result of a file check on rank 0 to all ranks.
-#ifndef BEARING_AGREE_H
-#define BEARING_AGREE_H
+#pragma once
 
 #include <mpi.h>
 #include <string>
@@ -19,5 +18,3 @@ inline std::string agree(std::string complaint, MPI_Comm world)
 }
 
 }    // namespace bearing
-
-#endif

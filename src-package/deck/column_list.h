@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Interface for the columns of a compute in a dump, or of a fix in fix print, as used by the
 // command bearing_dump.
-#ifndef BEARING_COLUMN_LIST_H
-#define BEARING_COLUMN_LIST_H
+#pragma once
 
 #include <string>
 #include <vector>
@@ -21,5 +20,3 @@ class ColumnList {
 };
 
 }    // namespace bearing
-
-#endif

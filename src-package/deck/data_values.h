@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Named numbers and words, for laws that derive some of the values from others. Numbers are stored
 // as text with fifteen digits, as are the results of formulas in the hosts.
-#ifndef BEARING_DATA_VALUES_H
-#define BEARING_DATA_VALUES_H
+#pragma once
 
 #include "../core/settings/arguments.h"
 
@@ -54,5 +53,3 @@ class DataValues {
 };
 
 }    // namespace bearing
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Finds the first difference between two decks that are given as lists of command lines.
-#ifndef RACEWAY_DIFFERENT_LINES_H
-#define RACEWAY_DIFFERENT_LINES_H
+#pragma once
 
 #include <string>
 #include <utility>
@@ -16,5 +15,3 @@ std::pair<std::string, std::string> different_lines(const std::vector<std::strin
                                                     const std::vector<std::string> &other);
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Finds the data of a bearing or an oil, either in a file in a folder or in a row of a table
 // FOLDER/*.csv.
-#ifndef BEARING_FIND_DATA_H
-#define BEARING_FIND_DATA_H
+#pragma once
 
 #include <string>
 #include <vector>
@@ -20,5 +19,3 @@ Data find_data(std::string folder, std::string name);
 std::string joined(const std::vector<std::string> &names, const char *between = ", ");
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Collects the formulas of the variables to which commands of a deck refer as v_NAME, directly or
 // through other formulas. A continued run compares them with the formulas in its restart file.
-#ifndef BEARING_FORMULAS_H
-#define BEARING_FORMULAS_H
+#pragma once
 
 #include <string>
 #include <vector>
@@ -20,5 +19,3 @@ namespace bearing {
 std::vector<std::string> formulas(LAMMPS_NS::LAMMPS *, const std::vector<std::string> &commands);
 
 }    // namespace bearing
-
-#endif

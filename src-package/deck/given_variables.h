@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Finds the variables that a user sets with -var and the variables that a deck defines.
-#ifndef BEARING_GIVEN_VARIABLES_H
-#define BEARING_GIVEN_VARIABLES_H
+#pragma once
 
 #include <filesystem>
 #include <set>
@@ -46,5 +45,3 @@ std::string nearest(const std::string &name, const Names &);
 std::string wrong_with(const std::string &value);
 
 }    // namespace bearing
-
-#endif

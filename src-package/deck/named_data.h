@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Data of a bearing or an oil, stored as names and values. They are read from a file or a row of a
 // catalogue, but values given by the user take precedence.
-#ifndef BEARING_NAMED_DATA_H
-#define BEARING_NAMED_DATA_H
+#pragma once
 
 #include "data_values.h"
 
@@ -34,5 +33,3 @@ std::string note_of_deck(const NamedData &);
 std::vector<std::string> check_data(const Arguments &, NamedData &, const std::string &of);
 
 }    // namespace bearing
-
-#endif

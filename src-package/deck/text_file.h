@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A table that is written by a fix. The file is opened on rank 0. If this fails, the run stops with
 // an error on all ranks. If there is no file name, nothing is written.
-#ifndef BEARING_TEXT_FILE_H
-#define BEARING_TEXT_FILE_H
+#pragma once
 
 #include "../core/settings/arguments.h"
 
@@ -45,5 +44,3 @@ class TextFile {
 };
 
 }    // namespace bearing
-
-#endif

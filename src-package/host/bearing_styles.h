@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The only list of the styles; every loader registers the styles in it.
-#ifndef BEARING_STYLES_H
-#define BEARING_STYLES_H
+#pragma once
 
 #include "../styles/bearing_resume.h"
 #include "../styles/compute_bearing_ball.h"
@@ -68,5 +67,3 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template command<BearingResume>("bearing_resume");
   add.template command<RunBearing>("run_bearing");
 }
-
-#endif

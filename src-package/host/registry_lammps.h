@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Registers styles in a LAMMPS without plugins: add.pair<Class>("name"), ...
-#ifndef REGISTRY_LAMMPS_H
-#define REGISTRY_LAMMPS_H
+#pragma once
 
 #include "bearing_compat.h"
 #include "lammps.h"
@@ -41,5 +40,3 @@ struct Registry {
 };
 
 }    // namespace
-
-#endif

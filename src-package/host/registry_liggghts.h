@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Registers styles in LIGGGHTS: add.pair<Class>("name"), ...
-#ifndef REGISTRY_LIGGGHTS_H
-#define REGISTRY_LIGGGHTS_H
+#pragma once
 
 #include "bearing_compat.h"
 #include "lammps.h"
@@ -73,5 +72,3 @@ struct Registry {
 };
 
 }    // namespace
-
-#endif

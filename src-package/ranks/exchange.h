@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // All-to-all exchange of lists. The p-th list of the result is the list that rank p has for this
 // rank.
-#ifndef BEARING_EXCHANGE_H
-#define BEARING_EXCHANGE_H
+#pragma once
 
 #include <mpi.h>
 
@@ -38,5 +37,3 @@ std::vector<std::vector<T>> exchange(const std::vector<std::vector<T>> &to, MPI_
 }
 
 }    // namespace bearing
-
-#endif

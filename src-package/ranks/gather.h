@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Gathers the vectors of plain structs from all ranks on every rank, in rank order.
-#ifndef BEARING_GATHER_H
-#define BEARING_GATHER_H
+#pragma once
 
 #include <mpi.h>
 
@@ -69,5 +68,3 @@ inline std::vector<size_t> gather_to_first(const std::vector<double> &mine,
 }
 
 }    // namespace bearing
-
-#endif

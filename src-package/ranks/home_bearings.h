@@ -9,8 +9,7 @@
 // by tag, so its results do not depend on the number of ranks. Messages are sent only between
 // owners and homes, one per pair of ranks; none are needed for a bearing that lies entirely on its
 // home rank.
-#ifndef BEARING_HOME_BEARINGS_H
-#define BEARING_HOME_BEARINGS_H
+#pragma once
 
 #include "../contacts/cage_pockets.h"
 #include "../contacts/cage_rails.h"
@@ -141,5 +140,3 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
 };
 
 }    // namespace bearing
-
-#endif

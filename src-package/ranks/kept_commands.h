@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Commands that are stored in a restart file of the host and repeated when it is read.
-#ifndef BEARING_KEPT_COMMANDS_H
-#define BEARING_KEPT_COMMANDS_H
+#pragma once
 
 #include <cstdio>
 #include <mpi.h>
@@ -24,5 +23,3 @@ void write_commands(FILE *, const Commands &);
 std::string read_commands(FILE *, MPI_Comm, Commands &);
 
 }    // namespace bearing
-
-#endif

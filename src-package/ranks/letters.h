@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Point-to-point messages. A letter consists of a rank and a text, which is a list of numbers.
 // Ranks without letters do not wait.
-#ifndef BEARING_LETTERS_H
-#define BEARING_LETTERS_H
+#pragma once
 
 #include <mpi.h>
 
@@ -31,5 +30,3 @@ void deliver(std::vector<Letter> &from, std::vector<Letter> &to, int message, MP
 }
 
 }    // namespace bearing
-
-#endif

@@ -8,8 +8,7 @@
 // claim in each step. The owner of the ring adds the terms in the order of their sources and, for
 // each source, in ascending order of the partners' tags. If all claims on a ring are on the rank
 // that owns it, the terms are summed directly in the order of the calls, which is the same order.
-#ifndef BEARING_RING_SUM_H
-#define BEARING_RING_SUM_H
+#pragma once
 
 #include "../core/numbers/vec3.h"
 #include "bearing_compat.h"
@@ -98,5 +97,3 @@ class RingSum : protected LAMMPS_NS::Pointers {
 };
 
 }    // namespace bearing
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Finds the connected components of n elements (union-find).
-#ifndef BEARING_UNION_FIND_H
-#define BEARING_UNION_FIND_H
+#pragma once
 
 #include <vector>
 
@@ -31,5 +30,3 @@ class UnionFind {
 };
 
 }    // namespace bearing
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Computes the ball pass of a scene, i.e. the time in which the cage turns by one ball spacing.
-#ifndef BEARING_BALL_PASS_H
-#define BEARING_BALL_PASS_H
+#pragma once
 
 #include "../core/settings/written.h"
 #include "bearing_compat.h"
@@ -22,5 +21,3 @@ double ball_pass_time(LAMMPS_NS::LAMMPS *, const std::string &command, double an
 size_t ball_rows(LAMMPS_NS::LAMMPS *, const std::string &command);
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Power dissipated at the contacts of cage balls and one-piece cages, and between balls that touch
 // each other. Each contact is counted on exactly one rank.
-#ifndef BEARING_CAGE_LOSSES_H
-#define BEARING_CAGE_LOSSES_H
+#pragma once
 
 #include "fix_bearing_cage.h"
 #include "fixes.h"
@@ -28,5 +27,3 @@ void each_cage_loss(LAMMPS_NS::LAMMPS *lmp, const LAMMPS_NS::PairBearingHertz &p
 }
 
 }    // namespace bearing
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The paper that describes the model implemented by these styles, for the host's list of citations.
-#ifndef CITATION_H
-#define CITATION_H
+#pragma once
 
 #include "bearing_compat.h"
 #if !BEARING_IS_LIGGGHTS
@@ -35,5 +34,3 @@ inline void cite_paper(LAMMPS_NS::LAMMPS *lmp)
 }
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Provides the data that contact columns need in addition to the contact itself. They come from the
 // pair style and the fixes of a run.
-#ifndef BEARING_CONTACT_CONTEXT_H
-#define BEARING_CONTACT_CONTEXT_H
+#pragma once
 
 #include "../core/figures/contact_reader.h"
 #include "bearing_compat.h"
@@ -40,5 +39,3 @@ double orbit_of(const LAMMPS_NS::Atom &, const LAMMPS_NS::PairBearingHertz &,
                 const RacewayContact &);
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Fills the contact table by evaluating the contact law of all raceways, four contacts of a groove
 // at a time.
-#ifndef BEARING_CONTACT_EVALUATOR_H
-#define BEARING_CONTACT_EVALUATOR_H
+#pragma once
 
 #include "../core/contact/contact_lanes.h"
 #include "../core/figures/contact_table.h"
@@ -62,5 +61,3 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
 };
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Creates the attributes of a record of named bearings: the data and loads that were passed to the
 // commands of the deck, and the variables with which the deck can be run again.
-#ifndef BEARING_DECK_NOTES_H
-#define BEARING_DECK_NOTES_H
+#pragma once
 
 #include "record_settings.h"
 
@@ -18,5 +17,3 @@ void add_deck_notes(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &, co
 std::vector<std::string> data_lines(LAMMPS_NS::LAMMPS *);
 
 }    // namespace bearing
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Laws that derive missing data of bearings and oils from the given data.
-#ifndef BEARING_DERIVE_LAWS_H
-#define BEARING_DERIVE_LAWS_H
+#pragma once
 
 #include "../deck/data_values.h"
 
@@ -14,5 +13,3 @@ typedef std::map<std::string, void (*)(DataValues &)> DeriveLaws;
 DeriveLaws data_laws();
 
 }    // namespace bearing
-
-#endif

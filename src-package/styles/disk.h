@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Checks that output files are on the disk, because the hosts do not check whether their writes
 // succeed.
-#ifndef RACEWAY_DISK_H
-#define RACEWAY_DISK_H
+#pragma once
 
 #include <string>
 
@@ -18,5 +17,3 @@ std::string disk_is_full(const std::string &file);
 bool flush_to_disk(const std::string &file);
 
 }    // namespace bearing
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Determines the layout of the record for the bearings in a group. It is the same on all ranks.
-#ifndef BEARING_FIND_RECORD_LAYOUT_H
-#define BEARING_FIND_RECORD_LAYOUT_H
+#pragma once
 
 #include "../core/record/record_layout.h"
 #include "bearing_compat.h"
@@ -19,5 +18,3 @@ RecordLayout find_record_layout(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz
                                 const std::string &command);
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The solver of fix bearing/implicit, its settings and the bearings whose home is on this rank.
 // Only the sources of that fix include this header, so that no other style depends on it.
-#ifndef BEARING_IMPLICIT_SOLVER_H
-#define BEARING_IMPLICIT_SOLVER_H
+#pragma once
 
 #include "../core/step/bearing_integrator.h"
 #include "../ranks/home_bearings.h"
@@ -39,5 +38,3 @@ struct FixBearingImplicit::Solver {
 };
 
 }    // namespace LAMMPS_NS
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Finds the fixes of one style and checks the order in which the host calls fixes.
-#ifndef BEARING_FIXES_H
-#define BEARING_FIXES_H
+#pragma once
 
 #include "bearing_compat.h"
 
@@ -38,5 +37,3 @@ inline void require_order(LAMMPS_NS::LAMMPS *lmp, const LAMMPS_NS::Fix &first,
 }
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Measures the cost of a run in integrator steps and force evaluations, because these do not depend
 // on the load of the machine.
-#ifndef BEARING_INTEGRATOR_WORK_H
-#define BEARING_INTEGRATOR_WORK_H
+#pragma once
 
 #include "bearing_compat.h"
 
@@ -17,5 +16,3 @@ struct IntegratorWork {
 IntegratorWork integrator_work(LAMMPS_NS::LAMMPS *);
 
 }    // namespace bearing
-
-#endif

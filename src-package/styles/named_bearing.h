@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Named bearings (command `bearing`), i.e. data to which later commands of the deck refer by name.
-#ifndef BEARING_NAMED_BEARING_H
-#define BEARING_NAMED_BEARING_H
+#pragma once
 
 #include "../core/numbers/tag.h"
 #include "../deck/named_data.h"
@@ -46,5 +45,3 @@ const NamedBearing *bearing_of_type(const LAMMPS_NS::LAMMPS *, int type);
 std::vector<const NamedBearing *> bearings_of(const LAMMPS_NS::LAMMPS *);
 
 }    // namespace bearing
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The one-piece cage of a named bearing and its data, some of which are estimated.
-#ifndef BEARING_NAMED_CAGE_H
-#define BEARING_NAMED_CAGE_H
+#pragma once
 
 #include "named_bearing.h"
 
@@ -17,5 +16,3 @@ namespace bearing {
 std::vector<std::string> cage_words(LAMMPS_NS::LAMMPS *, Arguments &, const NamedBearing &);
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The balls of one bearing, arranged by slots, as used by `settle orbit`. There are as many slots
 // around the ring as there are balls. In each ball pass, every ball moves to the next slot.
-#ifndef BEARING_ORBIT_BALLS_H
-#define BEARING_ORBIT_BALLS_H
+#pragma once
 
 #include "../core/numbers/lab_axes.h"
 #include "../core/numbers/vec3.h"
@@ -56,5 +55,3 @@ class OrbitBalls {
 };
 
 }    // namespace bearing
-
-#endif

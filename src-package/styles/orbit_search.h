@@ -7,8 +7,7 @@
 // of the ball (orbit_balls.h), whose deviations decay over many ball passes. All other quantities
 // adapt within a ball pass. Each ball pass yields a value of the map, and FixedPoint
 // (core/numbers/fixed_point.h) chooses the start of the next ball pass.
-#ifndef BEARING_ORBIT_SEARCH_H
-#define BEARING_ORBIT_SEARCH_H
+#pragma once
 
 #include "../core/figures/settling.h"
 #include "../core/numbers/fixed_point.h"
@@ -65,5 +64,3 @@ class OrbitSearch {
 };
 
 }    // namespace bearing
-
-#endif

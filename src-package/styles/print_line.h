@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Prints a line for the user on the screen and to the log.
-#ifndef BEARING_PRINT_LINE_H
-#define BEARING_PRINT_LINE_H
+#pragma once
 
 #include "bearing_compat.h"
 
@@ -19,5 +18,3 @@ inline void print_line(LAMMPS_NS::LAMMPS *lmp, const std::string &line)
 }
 
 }    // namespace bearing
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Metadata of a run in a record: attributes of the file, and run.yaml for people and scripts.
-#ifndef BEARING_RECORD_SETTINGS_H
-#define BEARING_RECORD_SETTINGS_H
+#pragma once
 
 #include "../core/record/netcdf_header.h"
 #include "../core/record/record_layout.h"
@@ -37,5 +36,3 @@ std::string write_run_yaml(const std::string &folder, const NetcdfHeader::Attrib
 bool holds_finished_run(const std::string &folder);
 
 }    // namespace bearing
-
-#endif

@@ -2,8 +2,7 @@
 // Checks the folder of a run before the run starts: whether it is writable, whether another run is
 // writing to it, whether it contains a finished run, and whether its restart file is intact and was
 // written by this host. All functions must be called on all ranks.
-#ifndef BEARING_RESULT_FOLDER_H
-#define BEARING_RESULT_FOLDER_H
+#pragma once
 
 #include "../core/settings/arguments.h"
 #include "bearing_compat.h"
@@ -24,5 +23,3 @@ struct ResumeRequest {
 bool goes_on(LAMMPS_NS::LAMMPS *, const Arguments &args, const ResumeRequest &);
 
 }    // namespace bearing
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Motion of a ring and the loads that the balls and the cage exert on it.
-#ifndef BEARING_RING_VALUES_H
-#define BEARING_RING_VALUES_H
+#pragma once
 
 #include "../core/bodies/ring_program.h"
 #include "../core/numbers/lab_axes.h"
@@ -31,5 +30,3 @@ void note_setup(LAMMPS_NS::LAMMPS *);
 void ring_values(const LAMMPS_NS::Atom &, LAMMPS_NS::PairBearingHertz &, int n, double *of);
 
 }    // namespace bearing
-
-#endif

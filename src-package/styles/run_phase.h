@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Interface of fixes that wait while run_bearing settles the bearings, and take samples while it
 // measures.
-#ifndef BEARING_RUN_PHASE_H
-#define BEARING_RUN_PHASE_H
+#pragma once
 
 #include "../core/settings/arguments.h"
 
@@ -41,5 +40,3 @@ class WaitsForRun {
 };
 
 }    // namespace bearing
-
-#endif

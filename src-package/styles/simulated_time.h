@@ -2,8 +2,7 @@
 // Keeps the simulated time continuous from one run to the next and across restarts, for formulas
 // that contain the host's keyword `time`. Some hosts do not store the time in restart files, and
 // reset_timestep sets it to 0 in some hosts and makes it jump in others.
-#ifndef BEARING_SIMULATED_TIME_H
-#define BEARING_SIMULATED_TIME_H
+#pragma once
 
 #include "bearing_compat.h"
 
@@ -57,5 +56,3 @@ class SimulatedTime {
 };
 
 }    // namespace bearing
-
-#endif

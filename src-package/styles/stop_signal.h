@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // SIGTERM, SIGINT and SIGUSR1 request that a run end after a complete step. If a file exceeds the
 // size limit, the run stops with an error message instead of being ended by SIGXFSZ.
-#ifndef RACEWAY_STOP_SIGNAL_H
-#define RACEWAY_STOP_SIGNAL_H
+#pragma once
 
 namespace bearing {
 
@@ -19,5 +18,3 @@ class StopSignal {
 };
 
 }    // namespace bearing
-
-#endif

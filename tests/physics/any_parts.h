@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Evaluates the contact law for any set of parts (core/contact/any_law.h), for every number type
 // used in the tests.
-#ifndef RACEWAY_TESTS_ANY_PARTS_H
-#define RACEWAY_TESTS_ANY_PARTS_H
+#pragma once
 
 #include "../../src-package/core/contact/any_law_parts.h"
 #include "../../src-package/core/contact/contact_slopes.h"
@@ -70,5 +69,3 @@ bool approach(const L &law, const RacewayPhysics &p, const BallState &ball, cons
 
 }    // namespace
 }    // namespace raceway
-
-#endif

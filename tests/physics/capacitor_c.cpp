@@ -4,8 +4,6 @@
 #include "../../src-package/core/electric/film_capacitor.h"
 #include "../../src-package/core/interface/exports.h"
 
-#include <chrono>
-
 using namespace raceway;
 
 RECORD(CapacitorInput, double permittivity, film_floor, at, rough, surroundings, outlet,
@@ -134,36 +132,4 @@ EXPORT(void, capacitors,
     for (int k = 0; k < lanes; ++k)
       for (int q = 0; q < columns; ++q) four[columns * (i + k) + q] = out[q][k];
   }
-}
-
-namespace {
-RACEWAY_LANES double sum_of(const RacewayPhysics &p, const CapacitorModel &m,
-                            const SurroundedRaceway &s, const ContactStateT<Lane> &c,
-                            const LaneMask &live, const Lane &cage_speed, int repeats)
-{
-  Lane sum = {};
-  for (int i = 0; i < repeats; ++i) {
-    ContactStateT<Lane> one = c;
-    one.entrainment = c.entrainment + 1e-9 * i;    // varies, so that no result is reused
-    if (m.surrounded()) sum += s.capacitor(one, live, cage_speed).total();
-    else sum += film_capacitor(p, one, m).capacitance;
-  }
-  return raceway::sum(sum);
-}
-}    // namespace
-
-// Returns the time per contact (s) when four contacts are evaluated together; `sum` (F) receives
-// their total capacitance.
-EXPORT(double, capacitor_time,
-       (const RacewayPhysics *p, const CapacitorInput *in, double overlap, double speed,
-        double cage_speed, double repeats, double sum[1]))
-{
-  const CapacitorModel m = model_from(*in);
-  const SurroundedRaceway s(*p, m);
-  ContactStateT<Lane> c;
-  const LaneMask live = meet(*p, all_lanes(overlap), all_lanes(1.0), all_lanes(speed), c);
-  const auto start = std::chrono::steady_clock::now();
-  sum[0] = sum_of(*p, m, s, c, live, all_lanes(cage_speed), int(repeats));
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  return took.count() / repeats / lanes;
 }

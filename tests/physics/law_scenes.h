@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // All contact laws, the loaded contacts of a 6208 to which they are applied, and a number type with
 // a small perturbation.
-#ifndef RACEWAY_TESTS_LAW_SCENES_H
-#define RACEWAY_TESTS_LAW_SCENES_H
+#pragma once
 
 #include "../../src-package/core/contact/contact_lanes.h"
 #include "../../src-package/core/contact/part_table.h"
@@ -169,5 +168,3 @@ Scene scene(unsigned parts, int n)
 }
 
 }    // namespace
-
-#endif

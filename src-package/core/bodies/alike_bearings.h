@@ -2,8 +2,7 @@
 // Bearings that share one solver and use it one after another. Such bearings differ only in the
 // tags of their atoms and in the values that are set for individual rings, which are loaded
 // together with the state.
-#ifndef RACEWAY_ALIKE_BEARINGS_H
-#define RACEWAY_ALIKE_BEARINGS_H
+#pragma once
 
 #include "bearing_model.h"
 
@@ -61,5 +60,3 @@ inline bool alike(const BearingModel &a, const BearingModel &b)
 }
 
 }    // namespace raceway
-
-#endif

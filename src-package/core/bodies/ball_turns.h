@@ -3,8 +3,7 @@
 // orientation is the rotation from the ball's body-fixed axes to the frame that rotates with its
 // azimuth (lane_frame.h). Like all components in that frame, the spin of the ball relative to the
 // frame is constant over a stage, so the rotation is exact.
-#ifndef RACEWAY_BALL_TURNS_H
-#define RACEWAY_BALL_TURNS_H
+#pragma once
 
 #include "../numbers/lane_frame.h"
 #include "../raceway/profiled_contact.h"
@@ -49,5 +48,3 @@ struct BallTurns {
 };
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Bodies and rings of one bearing in the layout used by the implicit step: four bodies per group,
 // with balls on the same raceways and cage balls on the same rails next to each other.
-#ifndef RACEWAY_BEARING_BODIES_H
-#define RACEWAY_BEARING_BODIES_H
+#pragma once
 
 #include "ball_turns.h"
 #include "bearing_model.h"
@@ -181,5 +180,3 @@ class BearingBodies {
 };
 
 }    // namespace raceway
-
-#endif

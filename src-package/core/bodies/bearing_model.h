@@ -3,8 +3,7 @@
 // The model does not depend on the host: atoms are identified by tags, and the mover of a ring is
 // an index into a list of the caller. All other indices refer to bodies and rings. The bearing axis
 // is the third axis, and units are SI.
-#ifndef RACEWAY_BEARING_MODEL_H
-#define RACEWAY_BEARING_MODEL_H
+#pragma once
 
 #include "../geometry/cage_ring.h"
 #include "../geometry/rail.h"
@@ -80,5 +79,3 @@ struct BodyPose {
 };
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Motion of four bodies in the implicit step, and the part of the linear system that belongs to
 // them.
-#ifndef RACEWAY_BODY_GROUP_H
-#define RACEWAY_BODY_GROUP_H
+#pragma once
 
 #include "../numbers/lane_frame.h"
 
@@ -26,5 +25,3 @@ struct alignas(32) BodyGroup {
 };
 
 }    // namespace raceway
-
-#endif

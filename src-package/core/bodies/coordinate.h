@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Coordinates of the border of the linear system (step/bearing_system.h).
-#ifndef RACEWAY_COORDINATE_H
-#define RACEWAY_COORDINATE_H
+#pragma once
 
 #include "ring_program.h"
 
@@ -39,5 +38,3 @@ struct Coupling {
 };
 
 }    // namespace raceway
-
-#endif

@@ -5,8 +5,7 @@
 // that belong to the solution of the stage, so that momentum and contact forces are consistent.
 // Without this update, a stiff tangential spring would lag by one correction, as in an explicit
 // step, and would be unstable.
-#ifndef RACEWAY_KEPT_FOLLOW_H
-#define RACEWAY_KEPT_FOLLOW_H
+#pragma once
 
 #include "../contact/contact_slopes.h"
 #include "../numbers/lane_frame.h"
@@ -42,5 +41,3 @@ RACEWAY_INLINE void motions_of(const KeptSlopes &s, double radius, const Correct
 }
 
 }    // namespace raceway
-
-#endif

@@ -9,8 +9,7 @@
 // bodies with other links, so c is tridiagonal, with one additional corner entry if a chain closes
 // into a circle; elimination carries that corner along. The order of operations depends only on the
 // order of the links.
-#ifndef RACEWAY_LINK_CHAIN_H
-#define RACEWAY_LINK_CHAIN_H
+#pragma once
 
 #include "../numbers/vec3.h"
 
@@ -179,5 +178,3 @@ class LinkChain {
 };
 
 }    // namespace raceway
-
-#endif

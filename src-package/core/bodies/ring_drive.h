@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Free, fixed and driven motion of a ring, used by both integrators.
-#ifndef RACEWAY_RING_DRIVE_H
-#define RACEWAY_RING_DRIVE_H
+#pragma once
 
 #include "ring_program.h"
 
@@ -72,5 +71,3 @@ inline double driven_spin(const RingProgram &p, double spin, double s)
 }
 
 }    // namespace raceway
-
-#endif

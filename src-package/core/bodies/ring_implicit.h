@@ -4,8 +4,7 @@
 //   e' = W x e,    I_t W' = M_across - I_a spin (W x e),    I_a spin' = M.e
 // (M_across = M - (M.e) e; the component along e includes the drive of an imposed spin). The
 // gyroscopic moment is the term with the spin.
-#ifndef RACEWAY_RING_IMPLICIT_H
-#define RACEWAY_RING_IMPLICIT_H
+#pragma once
 
 #include "../numbers/cubic.h"
 #include "ring_drive.h"
@@ -100,5 +99,3 @@ inline RingPose between(const RingPose &from, const RingPose &to, double h, doub
 }
 
 }    // namespace raceway
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Ring motion for each degree of freedom, in the rotating frame of a ball (lane_frame.h).
-#ifndef RACEWAY_RING_MOTIONS_H
-#define RACEWAY_RING_MOTIONS_H
+#pragma once
 
 #include "bearing_bodies.h"
 
@@ -38,5 +37,3 @@ RACEWAY_INLINE Vec3L motion_of(int dof, const LaneFrame &f, const Vec3L &e, cons
 }
 
 }    // namespace raceway
-
-#endif

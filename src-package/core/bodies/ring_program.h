@@ -8,8 +8,7 @@
 // angular velocity differently. Velocity Verlet uses the host's vector w (RingAtom) without an
 // additional rounding error (ring_verlet.h). The implicit step solves for rates (RingPose,
 // ring_implicit.h).
-#ifndef RACEWAY_RING_PROGRAM_H
-#define RACEWAY_RING_PROGRAM_H
+#pragma once
 
 #include "../geometry/ring_body.h"
 
@@ -243,5 +242,3 @@ inline void tilt_of(const Vec3 &e, double *tilt)
 }
 
 }    // namespace raceway
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Motion of a ring in velocity Verlet: half kicks, drift and supports.
-#ifndef RACEWAY_RING_VERLET_H
-#define RACEWAY_RING_VERLET_H
+#pragma once
 
 #include "ring_drive.h"
 
@@ -98,5 +97,3 @@ inline RingAtom coasted(const RingProgram &p, const RingAtom &base, double h)
 }
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A flexible shaft in the implicit step. Its modes are coordinates in addition to those of the
 // rigid shaft.
-#ifndef RACEWAY_SHAFT_BEND_H
-#define RACEWAY_SHAFT_BEND_H
+#pragma once
 
 #include "shaft_modes.h"
 
@@ -79,5 +78,3 @@ struct ShaftBend {
 };
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // The map T from the unknowns of the border to the motions of rings at contacts: columns = T
 // unknowns. A ring on a flexible shaft moves with the rigid shaft and with the shaft's modes. For
 // all other rings T is the identity.
-#ifndef RACEWAY_SHAFT_LIFT_H
-#define RACEWAY_SHAFT_LIFT_H
+#pragma once
 
 #include <vector>
 
@@ -32,5 +31,3 @@ class ShaftLift {
 };
 
 }    // namespace raceway
-
-#endif

@@ -6,8 +6,7 @@
 //   m a'' + c a' + k a + spin g b' = f_a,    m b'' + c b' + k b - spin g a' = f_b
 // where a are the coordinates in the first plane and b those in the second. The gyroscopic matrix g
 // also couples the modes to the slopes of the rigid shaft, which occupy its first row and column.
-#ifndef RACEWAY_SHAFT_MODES_H
-#define RACEWAY_SHAFT_MODES_H
+#pragma once
 
 #include "shaft_ring.h"
 
@@ -201,5 +200,3 @@ inline Vec3 bending_acceleration(const ShaftModes &m, const ShaftModes::Station 
 }
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // Relations between a shaft and the rings that it carries. A shaft is a ring without raceways
 // (RingProgram, RingPose); each carried ring is fixed on its axis at a distance `at` (m) from its
 // centre and has the axis, the angular velocity and the rotation angle of the shaft.
-#ifndef RACEWAY_SHAFT_RING_H
-#define RACEWAY_SHAFT_RING_H
+#pragma once
 
 #include "ring_program.h"
 
@@ -57,5 +56,3 @@ inline Vec3 carried_acceleration(const RingProgram &p, const RingPose &shaft, do
 }
 
 }    // namespace raceway
-
-#endif

@@ -3,8 +3,7 @@
 // separate function that is compiled once (any_law_parts.h), and the parts of the set are called
 // one after another. The results are bitwise identical to those of a law compiled as a whole
 // (contact.h), but computing them takes 1.3 to 1.9 times as long.
-#ifndef RACEWAY_ANY_LAW_H
-#define RACEWAY_ANY_LAW_H
+#pragma once
 
 #include "../parts/part.h"
 #include "../raceway/raceway_physics.h"
@@ -92,5 +91,3 @@ RACEWAY_INLINE void with_any_law(unsigned parts, const LawFunctions &functions, 
 }
 
 }    // namespace raceway
-
-#endif

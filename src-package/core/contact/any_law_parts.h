@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The parts of the contact law as functions, for the files that compile any_law.h. Each of these
 // files has its own copy, because the files are compiled for different instruction sets.
-#ifndef RACEWAY_ANY_LAW_PARTS_H
-#define RACEWAY_ANY_LAW_PARTS_H
+#pragma once
 
 #include "any_law.h"
 #include "contact.h"
@@ -117,5 +116,3 @@ template <class... P> constexpr LawFunctions law_functions(PartList<P...>)
 }    // namespace raceway
 
 #undef RACEWAY_CALLED
-
-#endif

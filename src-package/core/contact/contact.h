@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The parts of the contact law, and the laws that are compiled as a whole. All other sets of parts
 // are evaluated by any_law.h.
-#ifndef RACEWAY_CONTACT_H
-#define RACEWAY_CONTACT_H
+#pragma once
 
 #include "../parts/part_damping.h"
 #include "../parts/part_differential_slip.h"
@@ -83,5 +82,3 @@ template <class Part> void RacewayPhysics::choose()
 static_assert(Parts::most_states() <= most_states, "raceway_physics.h: most_states is too small");
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Contacts of balls with one groove, evaluated four at a time and without derivatives, for the
 // host's step. The result in each lane is bitwise identical to that of the contact evaluated alone.
-#ifndef RACEWAY_CONTACT_LANES_H
-#define RACEWAY_CONTACT_LANES_H
+#pragma once
 
 #include "../raceway/profiled_contact.h"
 #include "../raceway/raceway_physics.h"
@@ -52,5 +51,3 @@ void act_in_lanes(const RacewayPhysics &, ContactLanes &);
 void act_by_parts(const RacewayPhysics &, ContactLanes &);
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Implementation of contact_lanes.cpp, included by the files that compile it for a particular
 // instruction set.
-#ifndef RACEWAY_CONTACT_LANES_LAW_H
-#define RACEWAY_CONTACT_LANES_LAW_H
+#pragma once
 
 #include "../numbers/lane_frame.h"
 #include "../numbers/lanes_apart.h"
@@ -142,5 +141,3 @@ RACEWAY_INLINE void act_as(const L &law, const RacewayPhysics &p, ContactLanes &
 void act_in_narrow_lanes(const RacewayPhysics &, ContactLanes &);    // without AVX2
 
 }    // namespace raceway
-
-#endif

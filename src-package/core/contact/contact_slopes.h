@@ -7,8 +7,7 @@
 // couples, the relative rotations about n, t and w. The forces are N, f_t, f_w and, if the law has
 // couples, the couples about n, t, w. The overlap changes with the approach for as long as
 // positions change with velocities.
-#ifndef RACEWAY_CONTACT_SLOPES_H
-#define RACEWAY_CONTACT_SLOPES_H
+#pragma once
 
 #include "../parts/part.h"
 #include "../raceway/raceway_physics.h"
@@ -56,5 +55,3 @@ RACEWAY_INLINE void act_with_slopes(const L &law, const RacewayPhysics &p,
 }
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A contact law as a compile-time list of parts (part.h), each defined in a file of its own. Parts
 // that a scene does not use are not in its list and cost nothing.
-#ifndef RACEWAY_LAW_H
-#define RACEWAY_LAW_H
+#pragma once
 
 #include "../parts/part.h"
 #include "../raceway/raceway_physics.h"
@@ -169,5 +168,3 @@ template <class All, class... P> struct LawOf {
 };
 
 }    // namespace raceway
-
-#endif

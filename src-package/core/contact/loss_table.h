@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The loss columns of all parts of the contact law (loss.h), and the losses of a contact in these
 // columns.
-#ifndef RACEWAY_LOSS_TABLE_H
-#define RACEWAY_LOSS_TABLE_H
+#pragma once
 
 #include "../parts/loss.h"
 #include "../parts/part.h"
@@ -36,5 +35,3 @@ struct LossEntry {
 const std::vector<LossEntry> &loss_table();
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // All parts of the contact law as data. This table is used to read keywords and to generate error
 // messages and the tables in the docs. It is generated from the declarations of the parts (part.h).
-#ifndef RACEWAY_PART_TABLE_H
-#define RACEWAY_PART_TABLE_H
+#pragma once
 
 #include "../parts/part.h"
 #include "../raceway/raceway_physics.h"
@@ -49,5 +48,3 @@ std::string law_text(unsigned parts);
 std::string contradiction(unsigned parts);
 
 }    // namespace raceway
-
-#endif

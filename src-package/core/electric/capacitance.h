@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Electrical capacitance of a lubricated Hertz contact (docs/theory, Capacitance; Farah 2020 eqs 8,
 // 10-12).
-#ifndef RACEWAY_CAPACITANCE_H
-#define RACEWAY_CAPACITANCE_H
+#pragma once
 
 #include "../numbers/exp_log.h"
 
@@ -70,5 +69,3 @@ inline double series_capacitance(double inner, double outer)
 }
 
 }    // namespace raceway
-
-#endif

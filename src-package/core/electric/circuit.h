@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Advances a bearing in an outer circuit step by step and computes the energy balance of the
 // circuit (docs/electric_circuit, Energy).
-#ifndef RACEWAY_CIRCUIT_H
-#define RACEWAY_CIRCUIT_H
+#pragma once
 
 #include "film_breakdown.h"
 #include "waveform.h"
@@ -185,5 +184,3 @@ void advance_circuit(CircuitState &s, double from, double to, const Edges &edges
 }
 
 }    // namespace raceway
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Breakdown of films and the subsequent discharge (docs/electric_circuit, Breakdown).
-#ifndef RACEWAY_FILM_BREAKDOWN_H
-#define RACEWAY_FILM_BREAKDOWN_H
+#pragma once
 
 #include "film_network.h"
 
@@ -170,5 +169,3 @@ double discharge(const BearingFilms &films, const OuterPoint &outer, NodeValues 
 }
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // Capacitor formed by a ball and a raceway: the contact ellipse, whose surfaces act as plates, and,
 // on request, the surroundings of the ellipse, which also exist if there is no contact
 // (docs/fix_bearing_capacitance).
-#ifndef RACEWAY_FILM_CAPACITOR_H
-#define RACEWAY_FILM_CAPACITOR_H
+#pragma once
 
 #include "../geometry/groove_shoulder.h"
 #include "../laws/film_gap.h"
@@ -284,5 +283,3 @@ class SurroundedRaceway {
 };
 
 }    // namespace raceway
-
-#endif

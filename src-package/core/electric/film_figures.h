@@ -2,8 +2,7 @@
 // Electrical quantities of a bearing at one instant: its leakage resistance, its impedance, the
 // smallest voltage at which a film fails, and the energy of the resulting discharge (docs/electric,
 // Breakdown and Impedance).
-#ifndef RACEWAY_FILM_FIGURES_H
-#define RACEWAY_FILM_FIGURES_H
+#pragma once
 
 #include "film_breakdown.h"
 #include "film_capacitor.h"
@@ -120,5 +119,3 @@ inline FilmFigures film_figures(const FilmQuestions &ask, const std::vector<Samp
 }
 
 }    // namespace raceway
-
-#endif

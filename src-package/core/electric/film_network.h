@@ -2,8 +2,7 @@
 // The electrical network of a bearing: balls that float between two films, the inner ring, and the
 // outer ring, which is the frame (docs/electric_circuit, Network). The unknowns are charges. The
 // cost per point in time is proportional to the number of balls.
-#ifndef RACEWAY_FILM_NETWORK_H
-#define RACEWAY_FILM_NETWORK_H
+#pragma once
 
 #include <cmath>
 #include <limits>
@@ -171,5 +170,3 @@ inline void network_step(const BearingFilms &from, const BearingFilms &to,
 }
 
 }    // namespace raceway
-
-#endif

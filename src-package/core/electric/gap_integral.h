@@ -21,8 +21,7 @@
 // 4 kappa Ebar R = 2 Fbar a b/overlap and sqrt(2 R_x g_s)/b do not depend on the load, and Fbar =
 // pi E' a/(3 K sqrt(overlap)), so all quantities follow from the constants of the contact law
 // (hertz.h).
-#ifndef RACEWAY_GAP_INTEGRAL_H
-#define RACEWAY_GAP_INTEGRAL_H
+#pragma once
 
 #include "../raceway/raceway_law.h"
 
@@ -160,5 +159,3 @@ RACEWAY_INLINE T gap_integral(const GapShapeT<T> &s, const T &G, const T &near, 
 }
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // Impedance of films, balls and a bearing, and the inverse calculation, which evaluates instrument
 // readings (docs/electric, Impedance). A film is a capacitor in parallel with its leakage
 // resistance: Z = 1/(G + j omega C).
-#ifndef RACEWAY_IMPEDANCE_H
-#define RACEWAY_IMPEDANCE_H
+#pragma once
 
 #include "film_network.h"
 
@@ -42,5 +41,3 @@ inline double capacitance_of(const Complex &z, double omega)
 inline double resistance_of(const Complex &z) { return std::norm(z) / z.real(); }
 
 }    // namespace raceway
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Driving voltage of an outer circuit as a function of time (docs/electric_circuit, Outer circuit).
-#ifndef RACEWAY_WAVEFORM_H
-#define RACEWAY_WAVEFORM_H
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -111,5 +110,3 @@ struct Waveform {
 };
 
 }    // namespace raceway
-
-#endif

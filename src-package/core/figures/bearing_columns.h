@@ -2,8 +2,7 @@
 // Columns for balls, for the motion of rings and for the constant data of a bearing, with one line
 // per column in numerical order. Sums and extremes are in bearing_figures.h. This file does not
 // depend on the host.
-#ifndef BEARING_BEARING_COLUMNS_H
-#define BEARING_BEARING_COLUMNS_H
+#pragma once
 
 #include "../numbers/column.h"
 
@@ -155,5 +154,3 @@ const Column list[] = {
 }    // namespace of_atom
 
 }    // namespace bearing
-
-#endif

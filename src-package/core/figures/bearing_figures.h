@@ -2,8 +2,7 @@
 // Results for a bearing or a ring: sums and extremes over the contacts of its balls. They are used
 // in records and computes. The losses in each column are defined by the parts of the law
 // (loss_table.h). This file does not depend on the host.
-#ifndef BEARING_BEARING_FIGURES_H
-#define BEARING_BEARING_FIGURES_H
+#pragma once
 
 #include "../contact/loss_table.h"
 #include "contact_columns.h"
@@ -75,5 +74,3 @@ const std::vector<Figure> &ring_figures();      // for compute bearing/ring, aft
 const std::vector<Figure> &total_figures();     // for compute bearing/total
 
 }    // namespace bearing
-
-#endif

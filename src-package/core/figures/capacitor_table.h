@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Capacitors formed by the contacts in the contact table, including their surroundings. They are
 // computed once each time the table has been filled, for four contacts of a raceway at a time.
-#ifndef BEARING_CAPACITOR_TABLE_H
-#define BEARING_CAPACITOR_TABLE_H
+#pragma once
 
 #include "../electric/film_capacitor.h"
 #include "contact_table.h"
@@ -33,5 +32,3 @@ class CapacitorTable {
 };
 
 }    // namespace bearing
-
-#endif

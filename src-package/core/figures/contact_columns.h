@@ -2,8 +2,7 @@
 // All columns of a contact: columns for its motions, columns defined by the parts of the law, and
 // columns that need more than the contact's state (ContactView). This file does not depend on the
 // host.
-#ifndef BEARING_CONTACT_COLUMNS_H
-#define BEARING_CONTACT_COLUMNS_H
+#pragma once
 
 #include "../electric/film_capacitor.h"
 #include "../parts/motion_columns.h"
@@ -65,5 +64,3 @@ const ContactColumn *find_contact_column(const std::string &name);    // null if
 std::string contact_column_names();
 
 }    // namespace bearing
-
-#endif

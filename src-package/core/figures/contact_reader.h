@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The contact columns that a command requests, and their values.
-#ifndef BEARING_CONTACT_READER_H
-#define BEARING_CONTACT_READER_H
+#pragma once
 
 #include "../settings/arguments.h"
 #include "contact_columns.h"
@@ -43,5 +42,3 @@ double orbit(const raceway::Vec3 &d, const raceway::Vec3 &dv, const raceway::Vec
              const raceway::RacewayPhysics &);
 
 }    // namespace bearing
-
-#endif

@@ -2,8 +2,7 @@
 // The central table, with one row for each pair of a ball and a raceway that may touch. The pair
 // style fills it once per step. Forces, step control, capacitance and all output are computed from
 // it, so no contact is computed twice.
-#ifndef BEARING_CONTACT_TABLE_H
-#define BEARING_CONTACT_TABLE_H
+#pragma once
 
 #include "../numbers/tag.h"
 #include "../raceway/profiled_contact.h"
@@ -85,5 +84,3 @@ struct ContactTable {
 };
 
 }    // namespace bearing
-
-#endif

@@ -2,8 +2,7 @@
 // Output of the fixes as f_ID[k], with one line per value in numerical order. The sizes of the
 // vectors and the tables in the documentation are derived from this file, which does not depend on
 // the host.
-#ifndef BEARING_FIX_COLUMNS_H
-#define BEARING_FIX_COLUMNS_H
+#pragma once
 
 #include "../numbers/column.h"
 
@@ -318,5 +317,3 @@ const Column list[N] = {
 }    // namespace of_fix_timestep
 
 }    // namespace bearing
-
-#endif

@@ -2,8 +2,7 @@
 // Settling of a bearing, i.e. the change in its mean values from the first to the second half of
 // the most recent samples. If each half covers a whole ball pass, ball-pass ripple does not affect
 // the change. This file does not depend on the host.
-#ifndef BEARING_SETTLING_H
-#define BEARING_SETTLING_H
+#pragma once
 
 #include "../numbers/vec3.h"
 
@@ -113,5 +112,3 @@ class Settling {
 };
 
 }    // namespace bearing
-
-#endif

@@ -7,8 +7,7 @@
 // successive steps is r, a change of d r/(1 - r) remains after a step d. If the steps scatter about
 // their mean, they are noise, and no rest remains. The result is at least the change per ball pass
 // over the longest span or, if there is noise, the mean step per ball pass.
-#ifndef BEARING_SETTLING_REST_H
-#define BEARING_SETTLING_REST_H
+#pragma once
 
 #include "settling.h"
 
@@ -22,5 +21,3 @@ namespace bearing {
 SettlingChanges settling_rest(const std::vector<SettlingSample> &passes);
 
 }    // namespace bearing
-
-#endif

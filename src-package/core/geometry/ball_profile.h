@@ -15,8 +15,7 @@
 // the middle of the patch. The fraction of the load on the strip is half the difference between the
 // fractions for two central pits of half-widths |y2| and |y1|, or half their sum if y1 and y2 lie
 // on opposite sides.
-#ifndef RACEWAY_BALL_PROFILE_H
-#define RACEWAY_BALL_PROFILE_H
+#pragma once
 
 #include "../laws/pit_load.h"
 #include "../numbers/quaternion.h"
@@ -200,5 +199,3 @@ class BallProfile {
 };
 
 }    // namespace raceway
-
-#endif

@@ -5,8 +5,7 @@
 // A pocket is a slot along its radial axis p. Its half clearances are c_t along the pitch circle
 // and c_z along the bearing's axis. In a cylindrical pocket the ball can move freely along p,
 // whereas a spherical pocket also holds it in this direction.
-#ifndef RACEWAY_CAGE_RING_H
-#define RACEWAY_CAGE_RING_H
+#pragma once
 
 #include "../laws/cage_drag.h"
 #include "../laws/hertz.h"
@@ -122,5 +121,3 @@ struct LandContact {
 LandContact land_contact(const CageRing &, const CageMotion &cage, const CageMotion &ring);
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // A raceway of a four-point contact bearing, which consists of two grooves whose centres lie
 // outside the mid-plane. A ball in the mid-plane touches both at an angle; its position is the same
 // as in a single groove centred in the mid-plane.
-#ifndef RACEWAY_GOTHIC_ARCH_H
-#define RACEWAY_GOTHIC_ARCH_H
+#pragma once
 
 #include <cmath>
 
@@ -20,5 +19,3 @@ struct GothicArch {
 };
 
 }    // namespace raceway
-
-#endif

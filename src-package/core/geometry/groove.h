@@ -10,8 +10,7 @@
 //
 // The local frame consists of u (radial), t = e x u (circumferential, rolling), e (axial); w = n x
 // t. Preconditions: r > 0 (a ball on the axis has no azimuth), r_c > R_b.
-#ifndef RACEWAY_GROOVE_H
-#define RACEWAY_GROOVE_H
+#pragma once
 
 #include "../numbers/vec3.h"
 
@@ -109,5 +108,3 @@ inline GroovePosition locate(const Vec3 &d, const Vec3 &e, double centre_circle)
 }
 
 }    // namespace raceway
-
-#endif

@@ -20,8 +20,7 @@
 // of the ball. The groove's other end is at the angle 0, so S = 4 R_b tan(alpha/4) on that side.
 // The term with 0.09 is omitted, because it applies to sides that are twice as long and begin at
 // the bottom.
-#ifndef RACEWAY_GROOVE_SHOULDER_H
-#define RACEWAY_GROOVE_SHOULDER_H
+#pragma once
 
 #include "groove.h"
 
@@ -101,5 +100,3 @@ class GrooveShoulder {
 };
 
 }    // namespace raceway
-
-#endif

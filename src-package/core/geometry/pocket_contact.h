@@ -10,8 +10,7 @@
 //
 // All vectors of a pocket refer to the same frame, which may be any. T is double or, for four balls
 // of a cage, Lane.
-#ifndef RACEWAY_POCKET_CONTACT_H
-#define RACEWAY_POCKET_CONTACT_H
+#pragma once
 
 #include "../laws/damped_hertz.h"
 #include "../laws/pocket_wall.h"
@@ -153,5 +152,3 @@ struct PocketContact {
 PocketContact pocket_contact(const CageRing &, const CageMotion &, int pocket, const PocketBall &);
 
 }    // namespace raceway
-
-#endif

@@ -8,8 +8,7 @@
 //   depth = (w/2 - |s|)^2/(2 (R_x + E)),
 // but at most the depth of the notch; s is measured along the raceway from the middle of the notch.
 // The kink in the path, in the middle or at the bottom, is smoothed over +-E.
-#ifndef RACEWAY_RACEWAY_PROFILE_H
-#define RACEWAY_RACEWAY_PROFILE_H
+#pragma once
 
 #include "../numbers/periodic_curve.h"
 
@@ -51,7 +50,6 @@ class NotchPath {
 
   const NotchShape &shape() const { return shape_; }
   double half_angle() const { return half_ / raceway_; }    // angle, rad
-  double deepest() const { return deepest_; }               // m, largest depth reached by the ball
   // Returns true if the path has a slope before its bend.
   bool falls() const { return half_ > turns_; }
 
@@ -183,5 +181,3 @@ class RacewayProfile {
 };
 
 }    // namespace raceway
-
-#endif

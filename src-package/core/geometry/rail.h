@@ -7,8 +7,7 @@
 // centre circle than ball radius + tube radius. The Hertz constants are those at the seat, where
 // the ball touches the tube at the seat angle (0 = radially outside the ball) from the side of the
 // ring axis, so that the surface is concave along the rail.
-#ifndef RACEWAY_RAIL_H
-#define RACEWAY_RAIL_H
+#pragma once
 
 #include "../laws/damped_hertz.h"
 #include "../laws/hertz.h"
@@ -53,7 +52,6 @@ template <class T> struct RailContactT {
   T overlap;    // m
   DampedHertzT<T> h;
 };
-using RailContact = RailContactT<double>;
 
 template <class T>
 RACEWAY_INLINE RailContactT<T> rail_contact(const Rail &rail, double K, const T &r, const T &z,
@@ -82,5 +80,3 @@ RACEWAY_INLINE auto may_touch(const Rail &rail, const T &r, const T &z, const T 
 }
 
 }    // namespace raceway
-
-#endif

@@ -3,8 +3,7 @@
 // and the moments of inertia I_a about the axis and I_t about a diameter. Gyroscopic moments follow
 // from the angular momentum L = I_t w + (I_a - I_t)(w.e) e; no separate gyroscopic term is added
 // (docs/theory, Rings).
-#ifndef RACEWAY_RING_BODY_H
-#define RACEWAY_RING_BODY_H
+#pragma once
 
 #include "../numbers/vec3.h"
 
@@ -55,5 +54,3 @@ template <class Across> Vec3 implicit_axis(const Vec3 &e, Across across, double 
 inline Vec3 turned_axis(const Vec3 &e, const Vec3 &W, double h) { return rotate(e, W * h); }
 
 }    // namespace raceway
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RACEWAY_RING_CAPACITY_H
-#define RACEWAY_RING_CAPACITY_H
+#pragma once
 
 #include "../laws/heat.h"
 #include "groove.h"
@@ -24,5 +23,3 @@ inline double ring_capacity(const Groove &groove, double seat, double shoulder, 
 }
 
 }    // namespace raceway
-
-#endif

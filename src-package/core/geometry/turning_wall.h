@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Walls that rotate with a shaft, in coordinates centred on its axis: the inner surface of a closed
 // drum, or radial blades.
-#ifndef RACEWAY_TURNING_WALL_H
-#define RACEWAY_TURNING_WALL_H
+#pragma once
 
 #include "../numbers/vec3.h"
 
@@ -63,5 +62,3 @@ struct TurningWall {
 };
 
 }    // namespace raceway
-
-#endif

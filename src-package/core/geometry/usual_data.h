@@ -5,8 +5,7 @@
 // The pitch diameter is the diameter of the circle on which the ball centres lie when the balls
 // touch both raceways at the contact angle. A contact angle above 0 therefore determines the
 // clearance.
-#ifndef RACEWAY_USUAL_DATA_H
-#define RACEWAY_USUAL_DATA_H
+#pragma once
 
 #include <cmath>
 
@@ -56,5 +55,3 @@ struct RingCylinder {
 };
 
 }    // namespace raceway
-
-#endif

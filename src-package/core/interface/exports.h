@@ -4,8 +4,7 @@
 // contains the names of the parameters of every EXPORT and FORMULA, and the names and sizes of the
 // fields of every RECORD. Python passes arguments by name, so their positions never have to be
 // repeated there.
-#ifndef RACEWAY_EXPORTS_H
-#define RACEWAY_EXPORTS_H
+#pragma once
 #include <cstring>
 #include <string>
 #include <type_traits>
@@ -72,4 +71,3 @@ void formula_over_arrays(Result (*one)(Numbers...), long n, const double *in, do
 // must be used exactly once per library
 #define EXPORTS \
   extern "C" const char *exports() { return exported_text().c_str(); }
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Builds the text of a JSON file piece by piece. The texts of the tables contain no quotes,
 // backslashes or control characters.
-#ifndef RACEWAY_JSON_TEXT_H
-#define RACEWAY_JSON_TEXT_H
+#pragma once
 
 #include <cstdarg>
 #include <cstdio>
@@ -25,5 +24,3 @@ struct JsonText {
     text += piece;
   }
 };
-
-#endif

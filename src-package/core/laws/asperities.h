@@ -3,8 +3,7 @@
 // (Zhou and Hoeprich 1991, in Schwarz et al., Lubricants 2023, 11, 369; measured on roller
 // bearings) or L_a = 1 - erf(Lambda) (Clarke et al. 2016), and the resulting friction coefficient
 // mu = L_a mu_b + (1 - L_a) mu_film (docs/tribology, Load sharing with asperities).
-#ifndef RACEWAY_ASPERITIES_H
-#define RACEWAY_ASPERITIES_H
+#pragma once
 
 #include "../numbers/exp_log.h"
 
@@ -42,5 +41,3 @@ RACEWAY_INLINE T mixed_friction(double boundary, const Film &film, const T &shar
 }
 
 }    // namespace raceway
-
-#endif

@@ -3,8 +3,7 @@
 // is C_D X rho A v^2/2 with A = pi R_b^2, where X is the volume fraction of oil. C_D is the drag
 // coefficient of a sphere at Re = rho v 2R_b/eta. It is interpolated from a table on log-log axes,
 // follows Stokes's law below Re = 0.1 and is constant above 1e5.
-#ifndef RACEWAY_BALL_DRAG_H
-#define RACEWAY_BALL_DRAG_H
+#pragma once
 
 #include "../numbers/exp_log.h"
 
@@ -48,5 +47,3 @@ template <class T> RACEWAY_INLINE T drag_coefficient(const DragTable &t, const T
 }
 
 }    // namespace raceway
-
-#endif

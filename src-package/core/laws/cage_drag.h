@@ -4,8 +4,7 @@
 // bearing (DuBois and Ocvirk, NACA Report 1157, 1953), with whirl as in Booker (J. Basic Eng. 87,
 // 1965); for a disc that rotates in a fluid: Schlichting, Boundary-Layer Theory. All values are in
 // SI units.
-#ifndef RACEWAY_CAGE_DRAG_H
-#define RACEWAY_CAGE_DRAG_H
+#pragma once
 
 #include "../numbers/exp_log.h"
 
@@ -92,5 +91,3 @@ inline double churning_couple(double share, double density, double viscosity, do
 }
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Frictionless contact of cage parts, treated as spheres: a Hertz spring with critical damping
 // (docs/theory, Friction).
-#ifndef RACEWAY_DAMPED_HERTZ_H
-#define RACEWAY_DAMPED_HERTZ_H
+#pragma once
 
 #include "../numbers/lane.h"
 
@@ -44,5 +43,3 @@ RACEWAY_INLINE T damping_loss(const DampedHertzT<T> &h, const T &overlap, const 
 }
 
 }    // namespace raceway
-
-#endif

@@ -8,8 +8,7 @@
 // squeezing of a half film per unit length gives l = 2a and R = R_x instead (errata, eq 5). Both
 // forms are available. h has a lower limit, because the film thickness of a contact at rest is
 // zero.
-#ifndef RACEWAY_DAMPING_H
-#define RACEWAY_DAMPING_H
+#pragma once
 
 #include "../numbers/lane.h"
 
@@ -35,5 +34,3 @@ template <class T> RACEWAY_INLINE T hysteretic_damping(double alpha_e, const T &
 }
 
 }    // namespace raceway
-
-#endif

@@ -10,8 +10,7 @@
 // Outside this range, F and C keep the values they have at t0 = 0 or 1. The power dissipated in the
 // contact is F s - C |Omega|. In rolling without slip, Omega = u/R_x, where u is the entrainment
 // speed.
-#ifndef RACEWAY_DIFFERENTIAL_SLIP_H
-#define RACEWAY_DIFFERENTIAL_SLIP_H
+#pragma once
 
 #include "../numbers/lane.h"
 
@@ -82,5 +81,3 @@ template <class T> RACEWAY_INLINE T slip_couple(const T &t)
 }
 
 }    // namespace raceway
-
-#endif

@@ -3,8 +3,7 @@
 // which the Hertz equations require free of cancellation errors at small m. Source: Abramowitz &
 // Stegun 17.6. The relative error is a few 1e-16 (tested against mpmath). Precondition: 0 <= m < 1.
 // The input is the complementary parameter m1 = 1 - m, which is accurate near m = 1.
-#ifndef RACEWAY_ELLIPTIC_H
-#define RACEWAY_ELLIPTIC_H
+#pragma once
 
 #include <cmath>
 
@@ -44,5 +43,3 @@ inline EllipticIntegrals complete_elliptic(double m1)
 }
 
 }    // namespace raceway
-
-#endif

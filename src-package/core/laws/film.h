@@ -8,8 +8,7 @@
 // exponential.
 //   u entrainment speed, m/s;  Q elastic contact load, N;  h in m.
 // Sources: Masjedi & Khonsari 2015 (smooth part, point contact); Hamrock & Dowson 1977.
-#ifndef RACEWAY_FILM_H
-#define RACEWAY_FILM_H
+#pragma once
 
 #include "../numbers/exp_log.h"
 
@@ -98,5 +97,3 @@ template <class T> RACEWAY_INLINE T film_thickness(const FilmLawT<T> &f, const F
 inline double composite_roughness(double s1, double s2) { return std::sqrt(s1 * s1 + s2 * s2); }
 
 }    // namespace raceway
-
-#endif

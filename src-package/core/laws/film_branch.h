@@ -6,8 +6,7 @@
 //   k = 1.5 Q/x for the Hertz contact, N/m;  x elastic approach, m;  h_c/x at most 1
 // These are fits to the linear response of a steady elastohydrodynamic line contact, applied to the
 // contact ellipse.
-#ifndef RACEWAY_FILM_BRANCH_H
-#define RACEWAY_FILM_BRANCH_H
+#pragma once
 
 #include "../numbers/exp_log.h"
 
@@ -49,5 +48,3 @@ RACEWAY_INLINE BranchStepT<T> branch_step(const FilmBranchT<T> &f, double dt, bo
 }
 
 }    // namespace raceway
-
-#endif

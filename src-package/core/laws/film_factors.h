@@ -10,8 +10,7 @@
 // where P = p_max/E', S = s/u, and s is the sliding speed. They are valid for L below about 10. The
 // term 13.2 P L^0.42 is limited to 0.9. Starvation is a factor given by the user. The factors are
 // treated as constants in the derivatives of a law.
-#ifndef RACEWAY_FILM_FACTORS_H
-#define RACEWAY_FILM_FACTORS_H
+#pragma once
 
 #include "../numbers/exp_log.h"
 
@@ -88,5 +87,3 @@ struct FilmFactors {
 };
 
 }    // namespace raceway
-
-#endif

@@ -13,8 +13,7 @@
 // D + H with an approximate r^-n and ends within 1e-3 of the root if the film is no thicker than 16
 // x_0. One more step with the exact r^-n then reaches rounding accuracy. Thicker films need more
 // steps. Each lane stops independently, so its result does not depend on the other lanes.
-#ifndef RACEWAY_FILM_GAP_H
-#define RACEWAY_FILM_GAP_H
+#pragma once
 
 #include "../numbers/exp_log.h"
 
@@ -127,5 +126,3 @@ RACEWAY_INLINE FilmRootT<T> squeeze(const Law &law, const T &overlap, double sha
 }
 
 }    // namespace raceway
-
-#endif

@@ -7,8 +7,7 @@
 //   h = R_x sqrt(U) {[RI^1.5 + (EI^-4 + H_0^-4)^(-3/8)]^(2s/3) + (RP^-8 + EP^-8)^(-s/8)}^(1/s),
 //   s = 1.5 (1 + e^(-1.2 EI/EP)).
 // The code works with logarithms, because the asymptotes are straight lines as functions of ln M.
-#ifndef RACEWAY_FILM_REGIMES_H
-#define RACEWAY_FILM_REGIMES_H
+#pragma once
 
 #include "../numbers/exp_log.h"
 #include "film.h"
@@ -122,5 +121,3 @@ template <class T> class MoesFilmT {
 };
 
 }    // namespace raceway
-
-#endif

@@ -5,8 +5,7 @@
 // The integral is evaluated at eight Gauss points in t = sqrt(1 - r^2), where the radius r is in
 // units of the semi-axes. The error is at most 0.9 % (2.8 % with six points) and is mostly due to
 // the kink of tau. The sliding speed s is assumed to be uniform over the ellipse.
-#ifndef RACEWAY_FILM_TRACTION_H
-#define RACEWAY_FILM_TRACTION_H
+#pragma once
 
 #include "../numbers/exp_log.h"
 #include "film.h"
@@ -91,5 +90,3 @@ struct FilmTraction {
 };
 
 }    // namespace raceway
-
-#endif

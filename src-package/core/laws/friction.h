@@ -7,8 +7,7 @@
 // above Lambda_2. In between, it follows the cubic 3s^2 - 2s^3, s = (Lambda - Lambda_1)/(Lambda_2 -
 // Lambda_1), so that mu and dmu/dLambda are continuous (the curve in fig. 5 is schematic; the cubic
 // is our choice).
-#ifndef RACEWAY_FRICTION_H
-#define RACEWAY_FRICTION_H
+#pragma once
 
 #include "../numbers/lane.h"
 
@@ -72,5 +71,3 @@ RACEWAY_INLINE T smoothed_friction(const T &cap, const S &slip_t, const S &slip_
 }
 
 }    // namespace raceway
-
-#endif

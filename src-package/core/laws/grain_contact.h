@@ -2,8 +2,7 @@
 // Contact between a grain and another grain or a wall: a linear spring and dashpot in the normal
 // direction, and friction modelled by a spring with history (Cundall and Strack, Geotechnique 29,
 // 1979, 47; docs/fix_bearing_grains).
-#ifndef RACEWAY_GRAIN_CONTACT_H
-#define RACEWAY_GRAIN_CONTACT_H
+#pragma once
 
 #include "../numbers/vec3.h"
 #include "grain_law.h"
@@ -71,5 +70,3 @@ inline double advance(GrainContact &c, const GrainLaw &law, const GrainMeeting &
 }
 
 }    // namespace raceway
-
-#endif

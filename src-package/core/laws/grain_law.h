@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Parameters of a contact between grains, which consists of a linear spring, a dashpot and friction
 // (grain_contact.h).
-#ifndef RACEWAY_GRAIN_LAW_H
-#define RACEWAY_GRAIN_LAW_H
+#pragma once
 
 #include <cmath>
 
@@ -29,5 +28,3 @@ struct GrainLaw {
 };
 
 }    // namespace raceway
-
-#endif

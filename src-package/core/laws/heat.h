@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Heat transfer in a bearing (docs/heat): conductances and thermal expansion. Values are in SI
 // units and temperatures in degrees C.
-#ifndef RACEWAY_HEAT_H
-#define RACEWAY_HEAT_H
+#pragma once
 
 #include <cmath>
 
@@ -44,5 +43,3 @@ inline double clearance_change(double inner_radius, double outer_radius, double 
 }
 
 }    // namespace raceway
-
-#endif

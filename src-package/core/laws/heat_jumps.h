@@ -5,8 +5,7 @@
 // of a jump; the jump is then computed with losses that vary linearly from their values at its
 // start to those at its end. The error is therefore of second order in `change`, and the recorded
 // heat is the heat that was actually used.
-#ifndef RACEWAY_HEAT_JUMPS_H
-#define RACEWAY_HEAT_JUMPS_H
+#pragma once
 
 #include "heat_network.h"
 
@@ -163,5 +162,3 @@ inline void heat_jump(HeatState &s, const HeatPass &seen, HeatNetwork net, const
 }
 
 }    // namespace raceway
-
-#endif

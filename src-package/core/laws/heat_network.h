@@ -7,8 +7,7 @@
 // If the housing is not a node (capacity 0), the outer ring is cooled through the seat and the
 // housing in series. Flowing oil connects the inner ring, the balls and the outer ring with one
 // another and with the oil inlet. The heat capacity of the oil inside the bearing is neglected.
-#ifndef RACEWAY_HEAT_NETWORK_H
-#define RACEWAY_HEAT_NETWORK_H
+#pragma once
 
 #include "../numbers/exp_log.h"
 #include "oil_flow.h"
@@ -247,5 +246,3 @@ class HeatFlow {
 };
 
 }    // namespace raceway
-
-#endif

@@ -11,8 +11,7 @@
 // groove divided by the axis along rolling, so it may be below 1. All values are in SI units.
 // Source of the exact relation: Johnson, Contact Mechanics (1985), eqs 4.25-4.28; fits: Hamrock &
 // Brewe 1983, and the form printed in Farah 2020 (F = 1 + q ln alpha).
-#ifndef RACEWAY_HERTZ_H
-#define RACEWAY_HERTZ_H
+#pragma once
 
 #include "elliptic.h"
 
@@ -190,5 +189,3 @@ inline double widest_overlap(double a, double groove_radius)
 }
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // Parameters of each kind of lubrication: the inlet length of a rolling contact, SKF's starvation
 // constant K_rs, and the fraction of the space around the balls that is filled with oil
 // (docs/tribology, Kinds of lubrication).
-#ifndef RACEWAY_LUBRICATION_H
-#define RACEWAY_LUBRICATION_H
+#pragma once
 
 #include <cmath>
 
@@ -58,5 +57,3 @@ inline Lubrication lubrication(LubricationKind kind, double level, double pitch,
 }
 
 }    // namespace raceway
-
-#endif

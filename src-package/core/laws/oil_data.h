@@ -6,8 +6,7 @@
 //   Vogel                eta = k exp(b/(T + c))
 //   density, 1/xi        linear in temperature (at ambient pressure, FVA 3 gives 1/xi this form)
 //   permittivity         Clausius-Mossotti: (e - 1)/(e + 2) proportional to the density
-#ifndef RACEWAY_OIL_DATA_H
-#define RACEWAY_OIL_DATA_H
+#pragma once
 
 #include <cmath>
 
@@ -70,5 +69,3 @@ inline OilAtTemperature at_temperature(const OilData &oil, const KinematicViscos
 }
 
 }    // namespace raceway
-
-#endif

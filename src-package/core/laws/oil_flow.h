@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Oil that flows through a bearing and carries heat away (docs/heat). Values are in SI units and
 // temperatures in degrees C.
-#ifndef RACEWAY_OIL_FLOW_H
-#define RACEWAY_OIL_FLOW_H
+#pragma once
 
 #include <cmath>
 
@@ -62,5 +61,3 @@ struct OilFlow {
 };
 
 }    // namespace raceway
-
-#endif

@@ -7,8 +7,7 @@
 // for d > e, and chi = 1 otherwise. d is the overlap without the pit, and e is the overlap at which
 // the patch is as wide as the pit. The stored energy and its first and second derivatives with
 // respect to d and D have closed-form expressions.
-#ifndef RACEWAY_PIT_LOAD_H
-#define RACEWAY_PIT_LOAD_H
+#pragma once
 
 #include <cmath>
 
@@ -72,5 +71,3 @@ inline PitLoad pit_load(double d, double D, double e)
 }
 
 }    // namespace raceway
-
-#endif

@@ -14,8 +14,7 @@
 // 3 pi sqrt(2) eta v cos (R/h)^(3/2). Between these limits L is a fit. With it, the force is within
 // 12 % of numerical solutions of Reynolds' equation (test_physics_pocket_film.py). All values are
 // in SI units.
-#ifndef RACEWAY_POCKET_FILM_H
-#define RACEWAY_POCKET_FILM_H
+#pragma once
 
 #include "../numbers/dual.h"
 #include "cage_drag.h"
@@ -79,5 +78,3 @@ RACEWAY_INLINE SqueezeFilm<T> squeeze_film(const PocketFilm &p, const T &xx, con
 }
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // Wall of a cage pocket, modelled as a linear spring, which represents the bending of the bars, and
 // a damper whose coefficient increases over the first micrometres of overlap. Multi-body programs
 // use the same contact model (IMPACT in ADAMS and MotionSolve, exponent 1).
-#ifndef RACEWAY_POCKET_WALL_H
-#define RACEWAY_POCKET_WALL_H
+#pragma once
 
 #include "damped_hertz.h"
 
@@ -31,5 +30,3 @@ inline DampedHertz damped_wall(double k, double whole, double overlap, double ov
 }
 
 }    // namespace raceway
-
-#endif

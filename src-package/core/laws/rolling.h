@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Kinematics of pure rolling at zero contact angle. A rotating bearing starts in this state.
-#ifndef RACEWAY_ROLLING_H
-#define RACEWAY_ROLLING_H
+#pragma once
 
 namespace raceway {
 
@@ -23,5 +22,3 @@ inline Rolling pure_rolling(double R, double r, double inner_speed, double outer
 }
 
 }    // namespace raceway
-
-#endif

@@ -8,8 +8,7 @@
 // The fraction of the flooded resistance depends on m and H = 2 R_x h_c/b^2. For the shortest inlet
 // that still feeds the full film, m = 1 + 3.06 (H/2)^0.58 (Hamrock and Dowson), the fraction is
 // 0.50 to 0.57 for H from 0.007 to 18. It is therefore limited to at least 1/2.
-#ifndef RACEWAY_ROLLING_INLET_H
-#define RACEWAY_ROLLING_INLET_H
+#pragma once
 
 #include "../numbers/exp_log.h"
 
@@ -88,5 +87,3 @@ struct RollingInlet {
 };
 
 }    // namespace raceway
-
-#endif

@@ -10,8 +10,7 @@
 // Inlet shear heats the oil (murch_wilson in film_factors.h).
 //
 // Hysteresis of the steel causes a couple alpha Q 2b/(3 pi) (Johnson 1985, section 9.4).
-#ifndef RACEWAY_ROLLING_RESISTANCE_H
-#define RACEWAY_ROLLING_RESISTANCE_H
+#pragma once
 
 #include "../numbers/exp_log.h"
 
@@ -61,5 +60,3 @@ template <class T> RACEWAY_INLINE T hysteresis_couple(double alpha, const T &loa
 }
 
 }    // namespace raceway
-
-#endif

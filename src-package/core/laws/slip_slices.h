@@ -13,8 +13,7 @@
 // which is exact if the direction of v is constant. Forces therefore remain continuous when the
 // sliding direction at a point reverses. All sums use the same weight for each point, so the
 // dissipated power is positive for any motion.
-#ifndef RACEWAY_SLIP_SLICES_H
-#define RACEWAY_SLIP_SLICES_H
+#pragma once
 
 #include "../numbers/lane.h"
 
@@ -156,5 +155,3 @@ class SlipSlices {
 };
 
 }    // namespace raceway
-
-#endif

@@ -7,8 +7,7 @@
 // a = 0.78 s_e with differential slip, omega a = 1.9 s with gross sliding. Conversely, spin reduces
 // the couple of differential slip by the factor 1 - 1.35 (omega a/s_e)^2. Moment and power agree
 // with the integration within 5 % of mu Q a and mu Q s_e.
-#ifndef RACEWAY_SPIN_H
-#define RACEWAY_SPIN_H
+#pragma once
 
 #include "../numbers/lane.h"
 
@@ -50,5 +49,3 @@ template <class T> RACEWAY_INLINE T slip_beside_spin(const T &speed, const T &wi
 }
 
 }    // namespace raceway
-
-#endif

@@ -10,8 +10,7 @@
 // motion with the smallest loss, in which one raceway controls the ball; otherwise the spin is
 // shared by both raceways. The sum increases with x, so the root is unique. It lies between the
 // motion without spin at one raceway and the motion without spin at the other.
-#ifndef RACEWAY_START_ATTITUDE_H
-#define RACEWAY_START_ATTITUDE_H
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -91,5 +90,3 @@ inline BallRotation start_attitude(const SpinContact &inner, const SpinContact &
 }
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // SKF's starvation factor phi_rs for the rolling couple (Rolling bearings, 10000 EN, 2013). K_rs is
 // 3e-8 for an oil bath or jet and 6e-8 for grease and oil-air; K_Z depends on the bearing type.
-#ifndef RACEWAY_STARVATION_H
-#define RACEWAY_STARVATION_H
+#pragma once
 
 #include <cmath>
 
@@ -20,5 +19,3 @@ inline double skf_starvation(double bore, double outside, double kinematic, doub
 }
 
 }    // namespace raceway
-
-#endif

@@ -10,8 +10,7 @@
 //   h^2 k/m + 2 h c/m + (2 h/m) k_m tau tanh(h/(2 tau)) = 4.
 // Since tanh(x) is below x and below 1, the branch acts at most like a spring k_m and at most like
 // a dashpot k_m tau. The larger of the two step limits is therefore safe.
-#ifndef RACEWAY_STEP_LIMIT_H
-#define RACEWAY_STEP_LIMIT_H
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -44,5 +43,3 @@ inline double verlet_step_limit(double k, double c, double m, const FilmBranches
 }
 
 }    // namespace raceway
-
-#endif

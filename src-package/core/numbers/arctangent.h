@@ -5,8 +5,7 @@
 // With |x| = p/q, p <= q, the argument is reduced by atan(p/q) = atan(c) + atan(y),
 // y = (p - c q)/(q + c p), where c is 0, 1/2 or 1, so |y| < 0.237. The Taylor series of atan(y) to
 // y^25 has a remainder below 2e-18 of y. For |x| > 1 the result is pi/2 - atan(1/|x|).
-#ifndef RACEWAY_ARCTANGENT_H
-#define RACEWAY_ARCTANGENT_H
+#pragma once
 
 #include "lane.h"
 
@@ -31,5 +30,3 @@ template <class T> RACEWAY_INLINE T arctangent(const T &x)
 }
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // Checksum of files, computed in four lanes of 64-bit words. Each step is a bijection of its lane,
 // so damage to one word always changes the state. It takes a tenth of the time of a table-driven
 // CRC-32.
-#ifndef BEARING_CHECKSUM_H
-#define BEARING_CHECKSUM_H
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -39,5 +38,3 @@ inline uint32_t checksum(const void *from, size_t n, uint64_t seed = 0)
 }
 
 }    // namespace bearing
-
-#endif

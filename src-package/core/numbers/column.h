@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Description of an output column, used by computes, Python and the documentation pages.
-#ifndef RACEWAY_COLUMN_H
-#define RACEWAY_COLUMN_H
+#pragma once
 
 #include <cmath>
 
@@ -25,5 +24,3 @@ struct Column {
 enum class Needs { nothing, film, capacitance, surroundings };
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // The cubic Hermite polynomial that matches positions and velocities at two instants h seconds
 // apart, evaluated at the fraction s of the interval. Its error is at most h^4/384 times the fourth
 // derivative of the position.
-#ifndef RACEWAY_CUBIC_H
-#define RACEWAY_CUBIC_H
+#pragma once
 
 namespace raceway {
 
@@ -28,5 +27,3 @@ class Cubic {
 };
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Dense LU decomposition with row pivoting for a small number of unknowns. A matrix is factored
 // once and used for many right-hand sides.
-#ifndef RACEWAY_DENSE_LU_H
-#define RACEWAY_DENSE_LU_H
+#pragma once
 
 #include <cmath>
 #include <utility>
@@ -56,5 +55,3 @@ class DenseLU {
 };
 
 }    // namespace raceway
-
-#endif

@@ -7,8 +7,7 @@
 // operations as for the plain type, so it is bitwise identical to the plain result. held(x) is the
 // value alone, without derivatives; a law uses it for all quantities that its derivatives treat as
 // constant. For a plain number, held(x) is x.
-#ifndef RACEWAY_DUAL_H
-#define RACEWAY_DUAL_H
+#pragma once
 
 #include "arctangent.h"
 #include "exp_log.h"
@@ -214,5 +213,3 @@ RACEWAY_INLINE Dual<B, n> where(const Test &test, const S &yes, const Dual<B, n>
 }
 
 }    // namespace raceway
-
-#endif

@@ -18,8 +18,7 @@
 // and the exponential to 2 % for -1 <= x <= 0. Below -1 the exponential keeps its value at -1.
 //
 // All functions return NaN if the argument is NaN.
-#ifndef RACEWAY_EXP_LOG_H
-#define RACEWAY_EXP_LOG_H
+#pragma once
 
 #include "lane.h"
 
@@ -102,5 +101,3 @@ template <class T> RACEWAY_INLINE T rough_exponential(const T &x)
 }
 
 }    // namespace raceway
-
-#endif

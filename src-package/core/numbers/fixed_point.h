@@ -10,8 +10,7 @@
 // except for a fraction `apart`, is regarded as noise and omitted. A difference below `flat` times
 // the residual is omitted as well: if residuals hardly depend on the start, the next start is
 // placed further along the residuals.
-#ifndef RACEWAY_FIXED_POINT_H
-#define RACEWAY_FIXED_POINT_H
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -164,5 +163,3 @@ class FixedPoint {
 };
 
 }    // namespace raceway
-
-#endif

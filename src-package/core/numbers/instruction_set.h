@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Selects which of the two compiled versions of a large function to call on the current processor
 // (core/numbers/lane.h).
-#ifndef RACEWAY_INSTRUCTION_SET_H
-#define RACEWAY_INSTRUCTION_SET_H
+#pragma once
 
 namespace raceway {
 
@@ -12,5 +11,3 @@ namespace raceway {
 bool wide_lanes();
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Converts between the axes of the lab frame (x, y, z) and axes of which the third is the bearing
 // axis. The permutation is cyclic, so right-handed axes remain right-handed and no values change.
-#ifndef RACEWAY_LAB_AXES_H
-#define RACEWAY_LAB_AXES_H
+#pragma once
 
 #include "vec3.h"
 
@@ -27,5 +26,3 @@ struct LabAxes {
 };
 
 }    // namespace raceway
-
-#endif

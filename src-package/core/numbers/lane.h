@@ -6,8 +6,7 @@
 // functions are defined here for both double and Lane. Nothing is reordered, fused or approximated:
 // on every instruction set, lane k of a result is bitwise identical to the same operation on
 // doubles.
-#ifndef RACEWAY_LANE_H
-#define RACEWAY_LANE_H
+#pragma once
 
 #include <cmath>
 
@@ -89,5 +88,3 @@ RACEWAY_INLINE bool any(const LaneMask &m) { return (m[0] | m[1] | m[2] | m[3]) 
 RACEWAY_INLINE double sum(const Lane &a) { return ((a[0] + a[1]) + a[2]) + a[3]; }
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // Solves small dense systems, four at a time, by LU decomposition without pivoting and by
 // substitution. The row stride is 6. Precondition: the symmetric part of each matrix is positive
 // definite (mass + h C + h^2 k), so no pivot can vanish.
-#ifndef RACEWAY_LANE_BLOCKS_H
-#define RACEWAY_LANE_BLOCKS_H
+#pragma once
 
 #include "lane.h"
 
@@ -32,5 +31,3 @@ template <int n> RACEWAY_INLINE void substitute(const Lane *a, Lane *x)
 }
 
 }    // namespace raceway
-
-#endif

@@ -7,8 +7,7 @@
 // line would leave the path by h^2 v^2/(2r). Components in a rotating frame change because the
 // frame rotates. With w = v_c/r this acceleration is -w z x v for a vector v, i.e. +w v_c along the
 // radius and -w v_r along the circle; the same applies to the spin.
-#ifndef RACEWAY_LANE_FRAME_H
-#define RACEWAY_LANE_FRAME_H
+#pragma once
 
 #include "vec3.h"
 
@@ -98,5 +97,3 @@ RACEWAY_INLINE Vec3L frame_acceleration(const Lane &rate, const Vec3L &vector)
 }
 
 }    // namespace raceway
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Converts a struct of lanes to four structs of doubles, and back.
-#ifndef RACEWAY_LANES_APART_H
-#define RACEWAY_LANES_APART_H
+#pragma once
 
 #include "lane.h"
 
@@ -51,5 +50,3 @@ RACEWAY_INLINE void lanes_apart(const Four &four, One *const (&to)[lanes])
 }
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // A smooth curve through values at equally spaced angles over one revolution. It is piecewise cubic
 // and uses the slopes of Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984). The curve does
 // not overshoot, so a step in a table remains a step, whereas a spline would oscillate.
-#ifndef RACEWAY_PERIODIC_CURVE_H
-#define RACEWAY_PERIODIC_CURVE_H
+#pragma once
 
 #include <cmath>
 #include <vector>
@@ -49,5 +48,3 @@ class PeriodicCurve {
 };
 
 }    // namespace raceway
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A rotation from the body axes to the observer's axes, represented by a unit quaternion.
-#ifndef RACEWAY_QUATERNION_H
-#define RACEWAY_QUATERNION_H
+#pragma once
 
 #include "vec3.h"
 
@@ -45,5 +44,3 @@ struct Quaternion {
 };
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Integer type for atom IDs. It is the same type as in the host, but does not depend on the host's
 // headers; compat_*.h check that the two types have the same size.
-#ifndef BEARING_TAG_H
-#define BEARING_TAG_H
+#pragma once
 
 #include <cstdint>
 
@@ -13,5 +12,3 @@ typedef std::int64_t tag_t;
 typedef int tag_t;
 #endif
 }    // namespace bearing
-
-#endif

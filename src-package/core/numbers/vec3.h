@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Three-component vector with the algebra needed for contacts and rings. T is double or Lane
 // (lane.h).
-#ifndef RACEWAY_VEC3_H
-#define RACEWAY_VEC3_H
+#pragma once
 
 #include "lane.h"
 
@@ -73,5 +72,3 @@ inline Vec3 rotate(const Vec3 &a, const Vec3 &w)
 }
 
 }    // namespace raceway
-
-#endif

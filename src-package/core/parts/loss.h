@@ -12,8 +12,7 @@
 // Parts that exclude each other share a loss; losses of different parts may share a column. The
 // total loss of a law, the columns for contacts, rings, bearings and records, and losses_W in
 // `raceway summary` all follow from these lists (loss_table.h).
-#ifndef RACEWAY_LOSS_H
-#define RACEWAY_LOSS_H
+#pragma once
 
 #include "../raceway/contact_state.h"
 
@@ -43,5 +42,3 @@ template <> struct LossList<> {
 };
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Output columns for the motions of a contact; the columns for its forces are defined by the parts
 // of the law.
-#ifndef RACEWAY_MOTION_COLUMNS_H
-#define RACEWAY_MOTION_COLUMNS_H
+#pragma once
 
 #include "part.h"
 
@@ -26,5 +25,3 @@ inline std::vector<StateColumn> motion_columns()
 }
 
 }    // namespace raceway
-
-#endif

@@ -23,8 +23,7 @@
 //   energy()     stored energy, J
 //
 // PartBase defines the defaults. docs/extend explains how to add a part.
-#ifndef RACEWAY_PART_H
-#define RACEWAY_PART_H
+#pragma once
 
 #include "../numbers/column.h"
 #include "../raceway/contact_state.h"
@@ -121,5 +120,3 @@ struct PartBase {
 };
 
 }    // namespace raceway
-
-#endif

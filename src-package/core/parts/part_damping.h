@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Normal damping as in the paper: hysteresis, the film damper, and the resulting normal force N =
 // max(0, Q + C rate) (damping.h). C is treated as constant in derivatives.
-#ifndef RACEWAY_PART_DAMPING_H
-#define RACEWAY_PART_DAMPING_H
+#pragma once
 
 #include "part.h"
 
@@ -122,5 +121,3 @@ struct NormalForcePart : PartBase {
 };
 
 }    // namespace raceway
-
-#endif

@@ -10,8 +10,7 @@
 //
 // In derivatives, mu, k_t, the ellipse and the shape of the secant are treated as constant, but N
 // is not.
-#ifndef RACEWAY_PART_DIFFERENTIAL_SLIP_H
-#define RACEWAY_PART_DIFFERENTIAL_SLIP_H
+#pragma once
 
 #include "slip_parameters.h"
 
@@ -100,5 +99,3 @@ struct DifferentialSlipPart : PartBase {
 };
 
 }    // namespace raceway
-
-#endif

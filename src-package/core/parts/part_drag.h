@@ -4,8 +4,7 @@
 // Gothic arch, the drag is assigned to the groove with the larger overlap. In derivatives, the drag
 // force is treated as constant, because it changes the speed of a ball by at most a fraction of
 // 1e-3 in an implicit step.
-#ifndef RACEWAY_PART_DRAG_H
-#define RACEWAY_PART_DRAG_H
+#pragma once
 
 #include "../laws/ball_drag.h"
 #include "part.h"
@@ -95,5 +94,3 @@ struct DragPart : PartBase {
 };
 
 }    // namespace raceway
-
-#endif

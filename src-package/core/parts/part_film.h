@@ -3,8 +3,7 @@
 // (film.h); the thickness is multiplied by the factors in film_factors.h. In derivatives,
 // thickness, ratio and factors are treated as constant, which affects the convergence of the Newton
 // iteration but not its result.
-#ifndef RACEWAY_PART_FILM_H
-#define RACEWAY_PART_FILM_H
+#pragma once
 
 #include "../laws/friction.h"
 #include "part.h"
@@ -141,5 +140,3 @@ struct FilmThicknessPart : PartBase {
 };
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // Film damping by a spring and a dashpot in series (film_branch.h) instead of eq 5. This part acts
 // after the normal force and adds to it. The force of the branch is treated as constant in
 // derivatives.
-#ifndef RACEWAY_PART_FILM_BRANCH_H
-#define RACEWAY_PART_FILM_BRANCH_H
+#pragma once
 
 #include "../laws/film_branch.h"
 #include "part_damping.h"
@@ -66,5 +65,3 @@ struct FilmBranchPart : PartBase {
 };
 
 }    // namespace raceway
-
-#endif

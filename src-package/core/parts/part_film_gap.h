@@ -5,8 +5,7 @@
 //
 // The film follows either the power law of film.h, with a constant thickness below 1 N, or the law
 // for all regimes (gap_film.h).
-#ifndef RACEWAY_PART_FILM_GAP_H
-#define RACEWAY_PART_FILM_GAP_H
+#pragma once
 
 #include "../raceway/gap_film.h"
 #include "part_hertz.h"
@@ -176,5 +175,3 @@ struct FilmInGapPart : PartBase {
 };
 
 }    // namespace raceway
-
-#endif

@@ -5,8 +5,7 @@
 // The derivative of the smoothed law is the secant f/s: mu, v_0 and the denominator are treated as
 // constant, but N is not. For a sliding contact the tangent is nearly flat, so a single correction
 // based on the tangent would move a light ball far past zero sliding.
-#ifndef RACEWAY_PART_FRICTION_H
-#define RACEWAY_PART_FRICTION_H
+#pragma once
 
 #include "../laws/friction.h"
 #include "part.h"
@@ -207,5 +206,3 @@ struct SmoothedFrictionPart : PartBase {
 };
 
 }    // namespace raceway
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The elastic contact: Q = K compression^1.5 (hertz.h).
-#ifndef RACEWAY_PART_HERTZ_H
-#define RACEWAY_PART_HERTZ_H
+#pragma once
 
 #include "part.h"
 
@@ -76,5 +75,3 @@ struct HertzContactPart : PartBase {
 };
 
 }    // namespace raceway
-
-#endif

@@ -4,8 +4,7 @@
 // stress up to a limiting shear stress (film_traction.h). The latter is evaluated at the sliding
 // speed that results from free rolling and the sliding of the contact. The friction coefficient is
 // treated as constant in derivatives.
-#ifndef RACEWAY_PART_MIXED_FRICTION_H
-#define RACEWAY_PART_MIXED_FRICTION_H
+#pragma once
 
 #include "../laws/asperities.h"
 #include "../laws/differential_slip.h"
@@ -120,5 +119,3 @@ struct MixedFrictionPart : PartBase {
 };
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // Couples that resist rolling (rolling_resistance.h). They are equal and opposite on ball and ring,
 // and linear in the speed near zero speed. Their derivative is the secant, i.e. the couple divided
 // by the speed. It is large at rest, as is necessary in an implicit step.
-#ifndef RACEWAY_PART_ROLLING_H
-#define RACEWAY_PART_ROLLING_H
+#pragma once
 
 #include "../laws/rolling_inlet.h"
 #include "../laws/rolling_resistance.h"
@@ -163,5 +162,3 @@ struct RollingHysteresisPart : PartBase {
 };
 
 }    // namespace raceway
-
-#endif

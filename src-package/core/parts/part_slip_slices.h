@@ -13,8 +13,7 @@
 // above half the slope of F; otherwise oscillations would grow.
 //
 // In derivatives, mu, k_t, c and the ellipse are treated as constant, but N is not.
-#ifndef RACEWAY_PART_SLIP_SLICES_H
-#define RACEWAY_PART_SLIP_SLICES_H
+#pragma once
 
 #include "../laws/slip_slices.h"
 #include "slip_parameters.h"
@@ -109,5 +108,3 @@ struct SlipSlicesPart : PartBase {
 };
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // Couple that resists spin about the contact normal (spin.h).
 //
 // The derivative is the secant, i.e. the couple divided by the spin.
-#ifndef RACEWAY_PART_SPIN_H
-#define RACEWAY_PART_SPIN_H
+#pragma once
 
 #include "../laws/spin.h"
 #include "part_differential_slip.h"
@@ -53,5 +52,3 @@ struct SpinPart : PartBase {
 };
 
 }    // namespace raceway
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Constants and keyword parameters shared by the parts for slip in rolling contacts.
-#ifndef RACEWAY_SLIP_PARAMETERS_H
-#define RACEWAY_SLIP_PARAMETERS_H
+#pragma once
 
 #include "../laws/differential_slip.h"
 #include "part_friction.h"
@@ -34,5 +33,3 @@ template <class Own> Parameter<Own> share_of_spin()
 }
 
 }    // namespace raceway
-
-#endif

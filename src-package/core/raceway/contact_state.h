@@ -5,8 +5,7 @@
 // T is double, Lane, or a Dual of either type; quantities without derivatives have the plain type
 // of T. The frame is that of groove.h: n from ball to raceway, t along rolling, w = n x t across.
 // Units are SI.
-#ifndef RACEWAY_CONTACT_STATE_H
-#define RACEWAY_CONTACT_STATE_H
+#pragma once
 
 #include "../geometry/groove.h"
 #include "../numbers/dual.h"
@@ -66,9 +65,9 @@ template <class T> struct alignas(sizeof(T)) ContactFiguresT {
 };
 
 template <class T>
-struct ContactStateT : GroovePositionT<Value<T>>, ContactVariablesT<T>, ContactFiguresT<Value<T>> {
-  using Plain = Value<T>;
-};
+struct ContactStateT : GroovePositionT<Value<T>>,
+                       ContactVariablesT<T>,
+                       ContactFiguresT<Value<T>> {};
 using ContactState = ContactStateT<double>;
 
 namespace detail {
@@ -98,5 +97,3 @@ RACEWAY_INLINE void copy_state(const ContactStateT<A> &from, ContactStateT<B> &t
 }
 
 }    // namespace raceway
-
-#endif

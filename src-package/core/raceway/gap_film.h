@@ -2,8 +2,7 @@
 // Film thickness of one contact at one entrainment speed, as a function of the compression x of the
 // bodies. It is used for film laws that have no closed-form solution, i.e. the law for all regimes
 // (film_regimes.h) or one with a factor that depends on the pressure (Gupta, film_factors.h).
-#ifndef RACEWAY_GAP_FILM_H
-#define RACEWAY_GAP_FILM_H
+#pragma once
 
 #include "../laws/film_gap.h"
 #include "../laws/film_regimes.h"
@@ -134,5 +133,3 @@ template <class T, bool all> class GapFilmT {
 };
 
 }    // namespace raceway
-
-#endif

@@ -11,8 +11,7 @@
 // moving contact point, along t. The contact point rc u + zc e rotates about the ring axis together
 // with the ball centre, at the speed phi' = ((v_b - v_r).t + z W.u)/r, and tilts with the axis:
 //   u'.t = phi', e'.t = -W.u.
-#ifndef RACEWAY_KINEMATICS_H
-#define RACEWAY_KINEMATICS_H
+#pragma once
 
 #include "contact_state.h"
 #include "raceway.h"
@@ -120,5 +119,3 @@ RACEWAY_INLINE ContactForcesT<T> assemble(const Raceway &p, const Vec3T<T> &e,
 }
 
 }    // namespace raceway
-
-#endif

@@ -2,8 +2,7 @@
 // A contact in which the raceway, the ball or both have a profile. The contact law uses the overlap
 // reduced by the profile. Because the depth changes along the raceway, the normal force acts on the
 // ball's centre along the gradient of the stored energy, G = n - slope t.
-#ifndef RACEWAY_PROFILED_CONTACT_H
-#define RACEWAY_PROFILED_CONTACT_H
+#pragma once
 
 #include "../geometry/ball_profile.h"
 #include "kinematics.h"
@@ -86,8 +85,6 @@ template <class T> struct TurnRowT {
   }
 };
 
-using TurnRow = TurnRowT<double>;
-
 template <class T>
 RACEWAY_INLINE TurnRowT<T> turn_row(const T &along, const T &across, const Vec3T<T> &e,
                                     const GroovePositionT<T> &c)
@@ -129,5 +126,3 @@ RACEWAY_INLINE void push_along(const TurnRowT<T> &depth, const Vec3T<T> &d,
 }
 
 }    // namespace raceway
-
-#endif

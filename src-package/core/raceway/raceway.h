@@ -2,8 +2,7 @@
 // Data of a raceway that are used by all parts of the contact law: the groove, the materials, the
 // lubricant, the surfaces, and the constants derived from them. Parameters of a single part are
 // stored in that part (law.h).
-#ifndef RACEWAY_RACEWAY_H
-#define RACEWAY_RACEWAY_H
+#pragma once
 
 #include "../laws/film_factors.h"
 #include "../numbers/dual.h"
@@ -94,5 +93,3 @@ RACEWAY_INLINE T film_factor(const Raceway &p, const RacewayConstantsT<T> &k, co
 }
 
 }    // namespace raceway
-
-#endif

@@ -6,8 +6,7 @@
 // once on a uniform grid of cos(alpha) in [0, 1] and interpolated by a four-point cubic, with a
 // relative error below 1e-9 (tested). If the load is purely radial, cos(alpha) remains 1, and the
 // constants at that node are used directly.
-#ifndef RACEWAY_RACEWAY_LAW_H
-#define RACEWAY_RACEWAY_LAW_H
+#pragma once
 
 #include "../geometry/groove.h"
 #include "../laws/damping.h"
@@ -139,5 +138,3 @@ class RacewayLaw {
 };
 
 }    // namespace raceway
-
-#endif

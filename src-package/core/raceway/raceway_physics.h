@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A raceway and its contact law, for code that does not depend on the parts of the law. The parts
 // are included only in contact.h and where a law is evaluated.
-#ifndef RACEWAY_RACEWAY_PHYSICS_H
-#define RACEWAY_RACEWAY_PHYSICS_H
+#pragma once
 
 #include "contact_state.h"
 #include "raceway.h"
@@ -64,5 +63,3 @@ struct RacewayPhysics : Raceway {
 };
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Initial rotation of the balls in a bearing, chosen such that the loss due to spin under pure
 // thrust is smallest (docs/tribology, Start of the balls).
-#ifndef RACEWAY_START_ROTATION_H
-#define RACEWAY_START_ROTATION_H
+#pragma once
 
 #include "../laws/differential_slip.h"
 #include "../laws/spin.h"
@@ -64,5 +63,3 @@ inline BallRotation start_rotation(Raceway inner, Raceway outer, const StartingB
 }
 
 }    // namespace raceway
-
-#endif

@@ -8,8 +8,7 @@
 // ball's centre is the sum of the slack and the compression. The radial components of both
 // distances add up to the radial distance between the centres, which the thrust does not change.
 // This sum decreases with alpha_i, so the root is unique.
-#ifndef RACEWAY_THRUST_BALL_H
-#define RACEWAY_THRUST_BALL_H
+#pragma once
 
 #include "raceway.h"
 
@@ -66,5 +65,3 @@ inline ThrustBall thrust_ball(const Raceway &inner, const Raceway &outer, double
 }
 
 }    // namespace raceway
-
-#endif

@@ -6,8 +6,7 @@
 // is long, a lambda ratio above the values found in bearings, a capacitance computed for a film
 // that conducts, a film outside the range of Hamrock and Dowson's fit, or a contact ellipse that
 // extends beyond the shoulder of the groove.
-#ifndef RACEWAY_VALIDITY_H
-#define RACEWAY_VALIDITY_H
+#pragma once
 
 #include "raceway_law.h"
 
@@ -91,5 +90,3 @@ struct Validity {
 };
 
 }    // namespace raceway
-
-#endif

@@ -9,8 +9,7 @@
 // more records counted than mapped. A file that is cut at the end of a record is valid, so
 // truncate() is sufficient to continue a run. The header and the records have checksums
 // (netcdf_header.h).
-#ifndef BEARING_NETCDF_FILE_H
-#define BEARING_NETCDF_FILE_H
+#pragma once
 
 #include "netcdf_header.h"
 
@@ -73,5 +72,3 @@ class NetcdfFile {
 };
 
 }    // namespace bearing
-
-#endif

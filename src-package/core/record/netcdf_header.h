@@ -7,8 +7,7 @@
 // checksum is computed with zeros in place of the number of records and of the checksum itself. The
 // last variable of a record, `checksum`, covers the bytes before it; its seed is the number of the
 // record (core/numbers/checksum.h).
-#ifndef BEARING_NETCDF_HEADER_H
-#define BEARING_NETCDF_HEADER_H
+#pragma once
 
 #include <cstdint>
 #include <cstring>
@@ -106,5 +105,3 @@ inline void put_single(unsigned char *to, double value)
 void put_netcdf(unsigned char *to, NetcdfHeader::Type, const double *values, size_t n);
 
 }    // namespace bearing
-
-#endif

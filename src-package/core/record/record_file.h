@@ -2,8 +2,7 @@
 // A record as one netCDF file: the variables, the assembly of a sample from the rows of its parts,
 // and the sums over each bearing. The order in which the rows arrive does not affect the bytes of
 // the file. This code does not depend on the host.
-#ifndef BEARING_RECORD_FILE_H
-#define BEARING_RECORD_FILE_H
+#pragma once
 
 #include "../figures/bearing_figures.h"
 #include "../figures/fix_columns.h"
@@ -68,5 +67,3 @@ class RecordFile {
 };
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The bearings in a record and their parts, in the order used in the file. This code does not
 // depend on the host.
-#ifndef BEARING_RECORD_LAYOUT_H
-#define BEARING_RECORD_LAYOUT_H
+#pragma once
 
 #include "../figures/bearing_columns.h"
 
@@ -47,5 +46,3 @@ struct RecordLayout {
 };
 
 }    // namespace bearing
-
-#endif

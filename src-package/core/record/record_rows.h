@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Collects the rows of one rank for RecordFile (record_file.h), sample by sample. The contacts of a
 // ball come before the ball itself. This code does not depend on the host.
-#ifndef BEARING_RECORD_ROWS_H
-#define BEARING_RECORD_ROWS_H
+#pragma once
 
 #include "record_file.h"
 
@@ -86,5 +85,3 @@ class RecordRows {
 };
 
 }    // namespace bearing
-
-#endif

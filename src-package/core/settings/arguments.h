@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Reads the words of one command. Every mistake is reported before the run starts, on all ranks, as
 // an error that states the command, the value and the allowed range.
-#ifndef BEARING_ARGUMENTS_H
-#define BEARING_ARGUMENTS_H
+#pragma once
 
 #include <optional>
 #include <string>
@@ -70,5 +69,3 @@ class Arguments {
 };
 
 }    // namespace bearing
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The data file of a flexible shaft, written by `raceway shaft --reduced` (docs/shaft.rst).
-#ifndef BEARING_BENDING_FILE_H
-#define BEARING_BENDING_FILE_H
+#pragma once
 
 #include "../bodies/shaft_modes.h"
 #include "arguments.h"
@@ -18,5 +17,3 @@ struct BendingShaft {
 BendingShaft read_bending_shaft(const Arguments &, const std::string &name);
 
 }    // namespace bearing
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Settings of a one-piece cage, as given in a deck.
-#ifndef BEARING_CAGE_SETTINGS_H
-#define BEARING_CAGE_SETTINGS_H
+#pragma once
 
 #include "../bodies/ring_program.h"
 #include "../geometry/cage_ring.h"
@@ -32,5 +31,3 @@ struct CageSettings {
 };
 
 }    // namespace bearing
-
-#endif

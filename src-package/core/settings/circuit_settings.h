@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Settings of fix bearing/circuit: the outer circuit, its voltage, breakdown and leak.
-#ifndef BEARING_CIRCUIT_SETTINGS_H
-#define BEARING_CIRCUIT_SETTINGS_H
+#pragma once
 
 #include "../electric/film_network.h"
 #include "../electric/waveform.h"
@@ -44,5 +43,3 @@ struct CircuitSettings {
 };
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Tables that replace data files, FOLDER/*.csv. Each row stands for a data file that has the name
 // of the row. The format is described in docs/catalogue.rst.
-#ifndef BEARING_DATA_TABLE_H
-#define BEARING_DATA_TABLE_H
+#pragma once
 
 #include <map>
 #include <set>
@@ -44,5 +43,3 @@ std::vector<std::string> near_first(const std::string &name, const std::set<std:
 size_t distance(const std::string &a, const std::string &b);
 
 }    // namespace bearing
-
-#endif

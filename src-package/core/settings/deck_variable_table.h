@@ -2,8 +2,7 @@
 // A table of all deck variables with their names, defaults, units, ranges and meanings. It is used
 // for error messages of commands, in Python and in the documentation. It does not depend on the
 // host.
-#ifndef BEARING_DECK_VARIABLE_TABLE_H
-#define BEARING_DECK_VARIABLE_TABLE_H
+#pragma once
 
 #include <set>
 #include <string>
@@ -42,5 +41,3 @@ std::string mistyped(const std::set<std::string> &names);
 std::string wrong_value(const DeckVariable &, const std::string &value);
 
 }    // namespace bearing
-
-#endif

@@ -2,8 +2,7 @@
 // Records the words of the commands that define the fixes and bearings of a deck, and checksums of
 // the files that these commands read. Both are recorded by Arguments, so that a continued run can
 // be compared with its restart file. This does not depend on the host.
-#ifndef BEARING_DECK_WORDS_H
-#define BEARING_DECK_WORDS_H
+#pragma once
 
 #include <string>
 #include <vector>
@@ -26,5 +25,3 @@ void note_file(const LAMMPS_NS::LAMMPS *, const std::string &command, const std:
 std::string noted_words(const LAMMPS_NS::LAMMPS *, const std::string &command);
 
 }    // namespace bearing
-
-#endif

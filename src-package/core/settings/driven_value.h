@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A number, an equal-style variable v_NAME that is evaluated once per step, or an atom-style
 // variable with one value per ring.
-#ifndef BEARING_DRIVEN_VALUE_H
-#define BEARING_DRIVEN_VALUE_H
+#pragma once
 
 #include "arguments.h"
 
@@ -64,5 +63,3 @@ class DrivenValue {
 };
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Ensures that a folder has only one writer, because two runs that write the same files would
 // silently corrupt both.
-#ifndef BEARING_FOLDER_LOCK_H
-#define BEARING_FOLDER_LOCK_H
+#pragma once
 
 #include <string>
 
@@ -19,5 +18,3 @@ struct FolderClaim {
 FolderClaim claim_folder(const std::string &folder);
 
 }    // namespace bearing
-
-#endif

@@ -2,8 +2,7 @@
 // Converts the name of a contact model to the keywords of pair_style bearing/ehd or bearing/hertz
 // that select it. The parts of each model are listed in docs/pair_bearing. This does not depend on
 // the host.
-#ifndef BEARING_MODEL_WORDS_H
-#define BEARING_MODEL_WORDS_H
+#pragma once
 
 #include <map>
 #include <stdexcept>
@@ -59,5 +58,3 @@ struct ContactModel {
 ContactModel contact_model(const ModelChoice &, const OilWords *oil, const LubricatedBearing &);
 
 }    // namespace bearing
-
-#endif

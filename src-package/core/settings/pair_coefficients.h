@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Settings of pair_style and pair_coeff: the raceway of each ring type for each ball type, the
 // materials of spheres in contact, and the contact law.
-#ifndef BEARING_PAIR_COEFFICIENTS_H
-#define BEARING_PAIR_COEFFICIENTS_H
+#pragma once
 
 #include "../laws/grain_law.h"
 #include "../raceway/raceway_physics.h"
@@ -117,5 +116,3 @@ class PairCoefficients {
 };
 
 }    // namespace bearing
-
-#endif

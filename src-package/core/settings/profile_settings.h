@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Flaws and waviness of raceways or balls, as specified in a deck.
-#ifndef BEARING_PROFILE_SETTINGS_H
-#define BEARING_PROFILE_SETTINGS_H
+#pragma once
 
 #include "../geometry/ball_profile.h"
 #include "../geometry/raceway_profile.h"
@@ -28,5 +27,3 @@ struct ProfileSettings {
 };
 
 }    // namespace bearing
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Reads the keywords for a raceway contact. In pair_style they set the defaults for all raceways;
 // in pair_coeff they apply to one pair of types.
-#ifndef BEARING_RACEWAY_OPTIONS_H
-#define BEARING_RACEWAY_OPTIONS_H
+#pragma once
 
 #include "../raceway/raceway_physics.h"
 #include "arguments.h"
@@ -18,5 +17,3 @@ bool read_raceway_keyword(Arguments &args, bool with_film, raceway::RacewayPhysi
 std::string raceway_keywords(bool with_film);
 
 }    // namespace bearing
-
-#endif

@@ -5,8 +5,7 @@
 // The host's format has no checksum, so a flipped bit would silently change the bearing. The
 // reserved position contains `mark` and eight characters. The checksum (core/numbers/checksum.h) is
 // computed for the file with zeros in place of these eight characters.
-#ifndef BEARING_RESTART_SUM_H
-#define BEARING_RESTART_SUM_H
+#pragma once
 
 #include <string>
 
@@ -24,5 +23,3 @@ bool write_sum(const std::string &file);
 bool has_right_sum(const std::string &file);
 
 }    // namespace bearing
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Motion of a ring as specified in a deck: degrees of freedom, inertia, loads and supports.
-#ifndef BEARING_RING_SETTINGS_H
-#define BEARING_RING_SETTINGS_H
+#pragma once
 
 #include "../bodies/ring_program.h"
 #include "../numbers/lab_axes.h"
@@ -72,5 +71,3 @@ class RingWords {
 };
 
 }    // namespace bearing
-
-#endif

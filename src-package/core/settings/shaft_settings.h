@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Settings that a shaft has in addition to those of a ring: the position of its centre, and loads
 // and unbalances that act at positions along its axis.
-#ifndef BEARING_SHAFT_SETTINGS_H
-#define BEARING_SHAFT_SETTINGS_H
+#pragma once
 
 #include "bending_file.h"
 #include "ring_settings.h"
@@ -39,5 +38,3 @@ struct ShaftSettings {
 };
 
 }    // namespace bearing
-
-#endif

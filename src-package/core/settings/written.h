@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Rounds values to 15 digits, as the formulas of the hosts do. A number is therefore bitwise
 // identical whether it is computed in a deck or by a command.
-#ifndef BEARING_WRITTEN_H
-#define BEARING_WRITTEN_H
+#pragma once
 
 #include <cstdio>
 #include <cstdlib>
@@ -20,5 +19,3 @@ inline std::string digits(double value)
 inline double written(double value) { return strtod(digits(value).c_str(), nullptr); }
 
 }    // namespace bearing
-
-#endif

@@ -2,8 +2,7 @@
 // Computes the forces in one bearing for the current state of its bodies, optionally with
 // derivatives: raceway contacts (raceway_contacts.cpp), cage balls (cage_contacts.cpp), and
 // one-piece cages (cage_ring_forces.cpp).
-#ifndef RACEWAY_BEARING_FORCES_H
-#define RACEWAY_BEARING_FORCES_H
+#pragma once
 
 #include "../bodies/bearing_bodies.h"
 #include "../geometry/pocket_contact.h"
@@ -138,5 +137,3 @@ class BearingForces {
 };
 
 }    // namespace raceway
-
-#endif

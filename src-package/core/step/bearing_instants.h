@@ -3,8 +3,7 @@
 // Positions follow the cubic that matches both ends of the internal step (cubic.h), velocities and
 // contact states are interpolated linearly, and forces are evaluated in the same way as in the step
 // itself. These states do not affect the motion.
-#ifndef RACEWAY_BEARING_INSTANTS_H
-#define RACEWAY_BEARING_INSTANTS_H
+#pragma once
 
 #include "../electric/film_capacitor.h"
 #include "bearing_forces.h"
@@ -84,5 +83,3 @@ class BearingInstants {
 };
 
 }    // namespace raceway
-
-#endif

@@ -43,8 +43,7 @@
 //
 // Related files: bearing_bodies.h (bodies in groups of four), bearing_forces.h (forces and
 // derivatives), bearing_system.h (linear solve), bearing_instants.h (states within a step).
-#ifndef RACEWAY_BEARING_INTEGRATOR_H
-#define RACEWAY_BEARING_INTEGRATOR_H
+#pragma once
 
 #include "bearing_forces.h"
 #include "bearing_instants.h"
@@ -166,5 +165,3 @@ class BearingIntegrator {
 };
 
 }    // namespace raceway
-
-#endif

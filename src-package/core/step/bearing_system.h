@@ -12,8 +12,7 @@
 // unknowns y themselves, except for rings on flexible shafts: such a ring has separate columns, and
 // its motions follow from y through T (shaft_lift.h). The modes of a shaft therefore do not add any
 // cost per body.
-#ifndef RACEWAY_BEARING_SYSTEM_H
-#define RACEWAY_BEARING_SYSTEM_H
+#pragma once
 
 #include "../bodies/bearing_bodies.h"
 #include "../bodies/link_chain.h"
@@ -94,5 +93,3 @@ class BearingSystem {
 };
 
 }    // namespace raceway
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Axes of a one-piece cage in the frame in which the forces on a ball are evaluated, and the
 // motions of its points. T is double or Lane.
-#ifndef RACEWAY_CAGE_AXES_H
-#define RACEWAY_CAGE_AXES_H
+#pragma once
 
 #include "../bodies/ring_implicit.h"
 
@@ -27,5 +26,3 @@ template <class T> struct alignas(sizeof(T)) CageAxesT {
 };
 
 }    // namespace raceway
-
-#endif

@@ -9,8 +9,7 @@
 // columns and the border follow from the same product. A displacement also rotates the normal along
 // which the force N acts: by 1/r per unit of displacement along the groove, and by 1/s per unit
 // across it.
-#ifndef RACEWAY_CONTACT_ROWS_H
-#define RACEWAY_CONTACT_ROWS_H
+#pragma once
 
 #include "../contact/contact_slopes.h"
 #include "../numbers/lane_frame.h"
@@ -79,5 +78,3 @@ RACEWAY_INLINE void local_forces(const ScaledSlopes<n> &s, const Lane (&motion)[
 }
 
 }    // namespace raceway
-
-#endif

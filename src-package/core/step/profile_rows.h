@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Profiles of raceways and balls at four contacts: positions of the contacts on the profiles, and
 // contributions of the profiles to the matrix.
-#ifndef RACEWAY_PROFILE_ROWS_H
-#define RACEWAY_PROFILE_ROWS_H
+#pragma once
 
 #include "../bodies/ring_motions.h"
 #include "bearing_system.h"
@@ -137,5 +136,3 @@ static inline void look_at_profile(const BearingBodies::Track &track, const Lane
 }
 
 }    // namespace raceway
-
-#endif

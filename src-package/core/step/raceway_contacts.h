@@ -6,8 +6,7 @@
 // For smooth raceways, the loop is compiled once for each law in inputs/models, with the law
 // inlined. It is also compiled once with an indirect law, which serves any set of parts and
 // raceways with profiles.
-#ifndef RACEWAY_RACEWAY_CONTACTS_H
-#define RACEWAY_RACEWAY_CONTACTS_H
+#pragma once
 
 #include "../bodies/ring_motions.h"
 #include "../contact/any_law.h"
@@ -327,5 +326,3 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, 
 #endif
 
 }    // namespace raceway
-
-#endif

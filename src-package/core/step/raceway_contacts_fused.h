@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The loop over contacts with the laws inlined. Only the source files that compile it include this
 // file.
-#ifndef RACEWAY_RACEWAY_CONTACTS_FUSED_H
-#define RACEWAY_RACEWAY_CONTACTS_FUSED_H
+#pragma once
 
 #include "../contact/contact.h"
 #include "raceway_contacts.h"
@@ -20,5 +19,3 @@ RACEWAY_INLINE bool BearingForces::fused(const Stage &stage, Failure &failure)
 }
 
 }    // namespace raceway
-
-#endif
