@@ -80,16 +80,20 @@ def _parser():
         prog="raceway",
         usage="%(prog)s [-h] [--version] COMMAND ...",
         description="Ball bearings: results, spectra and pictures of runs, and theory.",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--version", action="version", version=f"raceway {raceway.__version__}")
     parsers = parser.add_subparsers(
         prog="raceway", required=True, metavar="COMMAND", help=argparse.SUPPRESS
     )
     for module in modules():
-        module.add(parsers)
-    for one in parsers.choices.values():
-        one.set_defaults(parser=one)
+        one = parsers.add_parser(
+            module.__name__.rpartition(".")[2],
+            help=module.HELP,
+            description=module.DESCRIPTION,
+            epilog=module.EXAMPLES,
+        )
+        module.add(one)
+        one.set_defaults(command=module.run, complain=one.error, parser=one)
     helps = {action.dest: action.help for action in parsers._choices_actions}
     parser.epilog = f"{grouped(helps)}\n\n{EXAMPLES}"
     return parser

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Subcommands of `raceway`. Each is a module whose `add(commands)` adds its parser and whose
-`run(arguments)` does the work."""
-
-import argparse
+"""Subcommands of `raceway`. Each is a module with the texts HELP, DESCRIPTION and EXAMPLES, whose
+`add(one)` adds options to the parser of the command and whose `run(arguments)` does the work."""
 
 # The commands by group, in the order in which `raceway --help` lists them.
 GROUPS = {
@@ -13,6 +11,3 @@ GROUPS = {
     "Measurements": ("measured", "compare", "identify", "track"),
     "The publication": ("paper",),
 }
-
-# type that `ArgumentParser.add_subparsers` returns
-Commands = argparse._SubParsersAction

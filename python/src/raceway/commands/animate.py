@@ -4,9 +4,10 @@
 import argparse
 from pathlib import Path
 
-from raceway.commands import Commands, one_run
+from raceway.commands import one_run
 from raceway.commands.quantity import number
 
+HELP = "animate a run as a GIF or MP4"
 DESCRIPTION = """\
 Animates a run. The pictures show the rings, balls and cage from the front, cut in the middle plane
 so that the torus grooves are visible, the most heavily loaded ball in section, and the loads around
@@ -24,15 +25,8 @@ Exit codes: 0 done, 1 the run is broken or lacks the requested data, or ffmpeg i
 COLOURS = ("load", "pressure", "film", "capacitance")
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "animate",
-        help="animate a run as a GIF or MP4",
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one_run.add(one)
     one.add_argument(
         "--colour",
@@ -76,7 +70,6 @@ def add(commands: Commands) -> None:
     one.add_argument(
         "--out", metavar="FILE", help="a .gif or .mp4 file (default: DIR/animation.gif)"
     )
-    one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -7,7 +7,6 @@ import json
 import sys
 from pathlib import Path
 
-from raceway.commands import Commands
 from raceway.commands.quantity import number
 
 HELP = "list and search bearings by size, rating and name"
@@ -50,15 +49,8 @@ COLUMNS = (
 )
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "catalogue",
-        help=HELP,
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one.add_argument(
         "words", nargs="*", metavar="WORD", help="show only bearings that contain this text"
     )
@@ -92,7 +84,6 @@ def add(commands: Commands) -> None:
         help="write the data of the bearing WORD and their sources to a file",
     )
     form.add_argument("--csv", action="store_true", help="print comma-separated values in SI units")
-    one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -3,10 +3,10 @@
 
 import argparse
 
-from raceway.commands import Commands, options
+from raceway.commands import options
 from raceway.commands.program import command
-from raceway.commands.quantity import takes_negative
 
+HELP = "estimate the numerical error of a run by repeating it with finer settings"
 DESCRIPTION = """\
 Repeats a run of the main deck three times: with a tenth of the tolerance (velocity Verlet: half the
 time step), with twice as many samples, and with 100 additional ball passes of settling. The change
@@ -23,20 +23,11 @@ examples:
 Exit codes: 0 done, 1 the run cannot be repeated, 2 wrong command line."""
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "check",
-        help="estimate the numerical error of a run by repeating it with finer settings",
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     options.run_folder(one)
     options.variables(one, "bearing or lubricant data that were given to the run")
     options.deck(one)
-    takes_negative(one)
-    one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -44,7 +35,8 @@ def run(arguments: argparse.Namespace) -> None:
 
     Raise `RacewayError` if the run cannot be repeated.
     """
-    from raceway.runs.summary import summary, table
+    from raceway.runs.summary import summary
+    from raceway.runs.summary_table import table
     from raceway.runs.tables import RunTables
     from raceway.sweeps.check import check
 

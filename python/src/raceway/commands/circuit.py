@@ -5,9 +5,10 @@ import argparse
 import json
 from pathlib import Path
 
-from raceway.commands import Commands, one_run
-from raceway.commands.quantity import each, number, positive, takes_negative
+from raceway.commands import one_run
+from raceway.commands.quantity import each, number, positive
 
+HELP = "compute bearing voltage, discharges and energy in an outer circuit"
 DESCRIPTION = """\
 Computes the electrical circuit of a bearing during a run: every ball is a floating conductor
 between two films, and an outer circuit connects the rings. Choose one outer circuit:
@@ -30,16 +31,8 @@ Exit codes: 0 done, 1 the run is broken or has no film data, 2 wrong command lin
 FARAD = number(0, 1, "F")
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "circuit",
-        help="compute bearing voltage, discharges and energy in an outer circuit",
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    takes_negative(one)
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one_run.add(one)
     _outer(one)
     _voltage(one)
@@ -110,7 +103,6 @@ def add(commands: Commands) -> None:
     )
     one.add_argument("--json", action="store_true", help="print a JSON object instead of a table")
     one.add_argument("--out", metavar="DIR", help="folder for the tables and the picture")
-    one.set_defaults(command=run, complain=one.error)
 
 
 def _outer(one):

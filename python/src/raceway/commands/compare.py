@@ -6,7 +6,7 @@ import json
 import math
 from typing import TYPE_CHECKING, Any
 
-from raceway.commands import Commands, one_run, recorded
+from raceway.commands import one_run, recorded
 from raceway.commands.spectrum import harmonics
 from raceway.units import prefixed
 
@@ -30,15 +30,8 @@ examples:
 Exit codes: 0 done, 1 the run or the file cannot be used, 2 wrong command line."""
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "compare",
-        help=HELP,
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one_run.add(one)
     recorded.add(one, bearing=False)
     one.add_argument(
@@ -53,7 +46,6 @@ def add(commands: Commands) -> None:
     harmonics(one)
     one.add_argument("--out", metavar="PNG", help="plot both spectra to this file")
     one.add_argument("--json", action="store_true", help="print a JSON object instead of tables")
-    one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -3,9 +3,10 @@
 
 import argparse
 
-from raceway.commands import Commands, options
+from raceway.commands import options
 from raceway.commands.program import command, end_on_signals
 
+HELP = "generate labelled vibration data (.mat files) for many flaws and conditions"
 DESCRIPTION = """\
 Runs every flaw in the file SPEC under all of its conditions, with the integrator `vibration` and a
 housing. Each run becomes a record, which consists of .mat files with the acceleration of the
@@ -24,22 +25,14 @@ Exit codes: 0 done, 1 a run failed or SPEC cannot be used, 2 wrong command line,
 stopped."""
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "dataset",
-        help="generate labelled vibration data (.mat files) for many flaws and conditions",
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one.add_argument("spec", metavar="SPEC", help="YAML file with flaws, conditions and rates")
     one.add_argument("--out", metavar="DIR", help="folder for the data set")
     options.jobs(one)
     one.add_argument("--keep", action="store_true", help="keep the records of the runs (large)")
     one.add_argument("--check", action="store_true", help="only check SPEC, without running it")
     options.deck(one)
-    one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -3,8 +3,6 @@
 
 import argparse
 
-from raceway.commands import Commands
-
 HELP = "list or copy the decks and data files that come with raceway"
 DESCRIPTION = """\
 Without NAME, lists the decks, bearings and lubricants of the package. With names, copies them into
@@ -20,18 +18,10 @@ Existing files with the same content are left unchanged.
 Exit codes: 0 done, 1 no such name or a file exists with different content, 2 wrong command line."""
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    parser = commands.add_parser(
-        "decks",
-        help=HELP,
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    parser.add_argument("names", nargs="*", metavar="NAME", help="deck, bearing or lubricant")
-    parser.add_argument("--to", metavar="DIR", default=".", help="folder to copy to (default: .)")
-    parser.set_defaults(command=run)
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
+    one.add_argument("names", nargs="*", metavar="NAME", help="deck, bearing or lubricant")
+    one.add_argument("--to", metavar="DIR", default=".", help="folder to copy to (default: .)")
 
 
 def run(arguments: argparse.Namespace) -> None:

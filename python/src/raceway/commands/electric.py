@@ -10,8 +10,8 @@ import sys
 from contextlib import redirect_stdout
 from pathlib import Path
 
-from raceway.commands import Commands, electric_run, options
-from raceway.commands.quantity import each, number, takes_negative
+from raceway.commands import electric_run, options
+from raceway.commands.quantity import each, number
 from raceway.theory.models import CAPACITANCE
 
 HELP = "compute total capacitance, breakdown voltage and impedance from theory"
@@ -59,16 +59,8 @@ KEYS = {  # {option: key of the results of `electric_point`}
 }
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "electric",
-        help=HELP,
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    takes_negative(one)
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one.add_argument("folder", nargs="?", metavar="DIR", help="folder written by a run")
     _operating_point(one)
     _surroundings(one)
@@ -82,9 +74,7 @@ def add(commands: Commands) -> None:
         help="write a table of the points, or the curve of --kind reading",
     )
     out.add_argument("--json", action="store_true", help="print JSON instead of tables")
-    one.set_defaults(
-        command=run, complain=one.error, unset=one.get_default, ask=_ask, filling=_filling
-    )
+    one.set_defaults(unset=one.get_default, ask=_ask, filling=_filling)
 
 
 def _operating_point(one):

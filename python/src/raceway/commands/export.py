@@ -4,10 +4,11 @@
 import argparse
 from pathlib import Path
 
-from raceway.commands import Commands, one_run
+from raceway.commands import one_run
 from raceway.commands.quantity import number, positive
 from raceway.errors import RacewayError
 
+HELP = "write files for ParaView, OVITO and SPICE"
 DESCRIPTION = """\
 Writes a run as files for other programs:
   vtk   for ParaView: bearing.pvd, a time series of the balls (points with radius, velocity, spin,
@@ -28,15 +29,8 @@ Sphere, Scale Array radius and Scale Factor 2.
 Exit codes: 0 done, 1 the run is broken or the folder cannot be written, 2 wrong command line."""
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "export",
-        help="write files for ParaView, OVITO and SPICE",
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one_run.add(one)
     one.add_argument(
         "--format",
@@ -57,7 +51,6 @@ def add(commands: Commands) -> None:
         help="for spice: resistivity of the lubricant (default: films do not leak)",
     )
     one.add_argument("--out", metavar="DIR", help="folder to write into (default: DIR/FORMAT)")
-    one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:

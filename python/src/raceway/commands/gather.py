@@ -3,9 +3,10 @@
 
 import argparse
 
-from raceway.commands import Commands
-
 HELP = "collect the results of a sweep in one CSV table"
+DESCRIPTION = """\
+Writes DIR/results.csv with one row per point, which contains the variables that were set, all
+results of `raceway summary`, and the error message if the point failed."""
 EXAMPLES = """\
 examples:
   raceway gather build/sweep/points
@@ -14,20 +15,9 @@ Exit codes: 0 done, even if points are missing or failed, 1 DIR has no sweep,
 2 wrong command line."""
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    parser = commands.add_parser(
-        "gather",
-        help=HELP,
-        description=(
-            "Writes DIR/results.csv with one row per point, which contains the variables that "
-            "were set, all results of `raceway summary`, and the error message if the point failed."
-        ),
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    parser.add_argument("folder", metavar="DIR", help="folder of the sweep")
-    parser.set_defaults(command=run)
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
+    one.add_argument("folder", metavar="DIR", help="folder of the sweep")
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -6,9 +6,9 @@ import json
 import sys
 
 from raceway import files
-from raceway.commands import Commands, options
+from raceway.commands import options
 from raceway.commands.program import program
-from raceway.commands.quantity import number, takes_negative
+from raceway.commands.quantity import number
 
 HELP = "compute steady temperature, viscosity, clearance, film and friction torque from theory"
 DESCRIPTION = """\
@@ -35,16 +35,8 @@ examples:
 Exit codes: 0 done, 1 no steady state or unusable data, 2 wrong command line."""
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "heat",
-        help=HELP,
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    takes_negative(one)
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     options.bearing(one)
     options.grooves(one)
     options.spin_law(one)
@@ -121,7 +113,6 @@ def add(commands: Commands) -> None:
     one.add_argument(
         "--json", action="store_true", help="print a JSON object, or a list for several points"
     )
-    one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -7,7 +7,7 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from raceway.commands import Commands, options
+from raceway.commands import options
 from raceway.commands.quantity import number
 from raceway.recordings import WITHIN
 from raceway.theory.models import STATICS
@@ -68,15 +68,8 @@ DECK = ("clearance", "load", "axial", "temperature")  # unknowns that are variab
 OUT = 3.0  # deviations above this multiple of their uncertainty are not explained by the result
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "identify",
-        help=HELP,
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one.add_argument("file", metavar="FILE", nargs="?", help="YAML file of readings; or --lines")
     one.add_argument(
         "--lines",
@@ -107,7 +100,7 @@ def add(commands: Commands) -> None:
     one.add_argument("--json", action="store_true", help="print a JSON object instead of text")
     # an option that was not given is None
     defaults["within"] = WITHIN
-    one.set_defaults(command=run, complain=one.error, of_lines=defaults, **dict.fromkeys(defaults))
+    one.set_defaults(of_lines=defaults, **dict.fromkeys(defaults))
 
 
 def run(arguments: argparse.Namespace) -> None:

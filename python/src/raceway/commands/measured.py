@@ -7,8 +7,8 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from raceway.commands import Commands, recorded
-from raceway.commands.quantity import number, takes_negative
+from raceway.commands import recorded
+from raceway.commands.quantity import number
 from raceway.commands.spectrum import harmonics, plain, table
 from raceway.rows import warning_lines
 from raceway.units import prefixed
@@ -44,16 +44,8 @@ examples:
 Exit codes: 0 done, 1 the file cannot be read or has too little data, 2 wrong command line."""
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "measured",
-        help=HELP,
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    takes_negative(one)
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     recorded.add(one)
     one.add_argument("--raw", action="store_true", help="use the signal, not its envelope")
     harmonics(one)
@@ -78,7 +70,6 @@ def add(commands: Commands) -> None:
     )
     one.add_argument("--out", metavar="PNG", help="draw the picture to this file")
     one.add_argument("--json", action="store_true", help="print a JSON object instead of tables")
-    one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:

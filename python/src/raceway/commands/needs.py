@@ -6,11 +6,11 @@ import json
 import re
 
 from raceway import files
-from raceway.commands import Commands, options
+from raceway.commands import options
 from raceway.commands.program import command, end_on_signals
-from raceway.commands.quantity import takes_negative
 from raceway.errors import RacewayError, near
 
+HELP = "find the model parts and numerical settings that a scene needs"
 DESCRIPTION = """\
 Runs a scene with the full model and fine numerical settings. Then omits each part and coarsens each
 setting, one at a time, and shows the effect on the results and on the cost. Finally searches for
@@ -29,15 +29,8 @@ and 143 stopped."""
 WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "needs",
-        help="find the model parts and numerical settings that a scene needs",
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one.add_argument("deck", metavar="DECK", help="deck with the variables of inputs/in.6208")
     options.variables(one, "variable of the deck")
     one.add_argument(
@@ -63,8 +56,6 @@ def add(commands: Commands) -> None:
     )
     options.jobs(one)
     options.program(one)
-    takes_negative(one)
-    one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -7,9 +7,10 @@ import os
 import sys
 from pathlib import Path
 
-from raceway.commands import Commands, options
+from raceway.commands import options
 from raceway.errors import RacewayError
 
+HELP = "reproduce figures, tables and statements of the paper"
 DESCRIPTION = """\
 Runs the cases of S. O. Farah, M. Guessasma, E. Bellenger 2020 (inputs/paper/cases.yaml), draws the
 figures, writes the tables, and checks the statements of the paper. Results of runs are kept and
@@ -24,15 +25,8 @@ Exit codes: 0 done, 1 a case failed (the case is named, and products that do not
 made), 2 wrong command line."""
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "paper",
-        help="reproduce figures, tables and statements of the paper",
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one.add_argument(
         "--out",
         metavar="DIR",
@@ -54,7 +48,6 @@ def add(commands: Commands) -> None:
     one.add_argument(
         "--list", action="store_true", help="list the figures and tables without running anything"
     )
-    one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -2,10 +2,12 @@
 """Command-line parser that lists the commands by group and suggests corrections for wrong words."""
 
 import argparse
+import re
 import textwrap
 from collections.abc import Mapping, Sequence
+from typing import Any
 
-from raceway.commands import GROUPS, Commands
+from raceway.commands import GROUPS
 from raceway.errors import near
 
 REST = "Others"  # heading of commands that are in no group
@@ -13,12 +15,19 @@ NAMES, WIDTH = 12, 80  # widths of the name column and of the whole list, in cha
 
 
 class Parser(argparse.ArgumentParser):
-    """An `argparse` parser that suggests commands or options similar to a wrong word."""
+    """An `argparse` parser that keeps the line breaks of its texts, reads -20e-6 as a number, and
+    suggests commands or options similar to a wrong word."""
+
+    def __init__(self, **kwargs: Any) -> None:
+        super().__init__(formatter_class=argparse.RawDescriptionHelpFormatter, **kwargs)
+        # before Python 3.14, argparse accepts negative numbers only without an exponent
+        self._negative_number_matcher = re.compile(r"-\.?[0-9]")
 
     def _check_value(self, action, value):
         if action.choices is not None and value not in action.choices:
             known = [str(word) for word in action.choices]
-            some = "" if isinstance(action, Commands) else f" (choose from {', '.join(known)})"
+            of_commands = isinstance(action, argparse._SubParsersAction)
+            some = "" if of_commands else f" (choose from {', '.join(known)})"
             raise argparse.ArgumentError(
                 action, f"there is no '{value}'{near(str(value), known)}{some}"
             )

@@ -4,9 +4,10 @@
 import argparse
 from pathlib import Path
 
-from raceway.commands import Commands, one_run
+from raceway.commands import one_run
 
 KINDS = ("overview", "polar", "waterfall", "bearing", "motion", "warming")
+HELP = "draw a picture of a run"
 DESCRIPTION = """\
 Draws a picture of a run as a PNG file:
   overview   loads, film, pressure and capacitance on one page
@@ -25,21 +26,13 @@ examples:
 Exit codes: 0 done, 1 the run is broken or lacks the data for the picture, 2 wrong command line."""
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "plot",
-        help="draw a picture of a run",
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one_run.add(one)
     one.add_argument(
         "--kind", choices=KINDS, default="overview", help="what to draw (default: %(default)s)"
     )
     one.add_argument("--out", metavar="PNG", help="file to write (default: DIR/KIND.png)")
-    one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -53,11 +53,3 @@ def inside(value: float, text: str, low: float, high: float, unit: str) -> float
             f"{text} is out of range: must lie from {low:g} to {high:g} {unit}".rstrip()
         )
     return value
-
-
-def takes_negative(parser: argparse.ArgumentParser) -> None:
-    """Make `parser` read -20e-6 as a number.
-
-    Before Python 3.14, argparse accepts negative numbers only without an exponent.
-    """
-    parser._negative_number_matcher = re.compile(r"-\.?[0-9]")

@@ -4,9 +4,10 @@
 import argparse
 from pathlib import Path
 
-from raceway.commands import Commands, one_run
+from raceway.commands import one_run
 from raceway.errors import RacewayError
 
+HELP = "write a report on a run or a sweep as one HTML page"
 DESCRIPTION = """\
 Writes a report on a run or a sweep as one HTML page that can be sent to a colleague. It contains
 the results with their errors, plots that can be zoomed and that show values under the cursor,
@@ -19,19 +20,11 @@ examples:
 Exit codes: 0 done, 1 the folder has neither a finished run nor a sweep, 2 wrong command line."""
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "report",
-        help="write a report on a run or a sweep as one HTML page",
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one.add_argument("folder", metavar="DIR", help="folder of the run or of the sweep")
     one.add_argument("--out", metavar="HTML", help="file to write (default: DIR/report.html)")
     one_run.add_number(one)
-    one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -6,10 +6,11 @@ import json
 import math
 from typing import Any
 
-from raceway.commands import Commands, options
+from raceway.commands import options
 from raceway.commands.quantity import number
 from raceway.units import prefixed
 
+HELP = "compute loads, tilt and life of bearings on one shaft, without a simulation"
 DESCRIPTION = """\
 Computes the static equilibrium of a shaft on several ball bearings from theory: the load, tilt and
 rating life of every bearing, the displacements of the shaft, its rigid-body properties, and its
@@ -37,15 +38,8 @@ LOADS = ("load_x_N", "load_y_N", "load_z_N", "moment_x_N_m", "moment_y_N_m")
 PLACES = ("shift_x_m", "shift_y_m", "shift_z_m", "tilt_x_rad", "tilt_y_rad")
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "shaft",
-        help="compute loads, tilt and life of bearings on one shaft, without a simulation",
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one.add_argument("file", metavar="FILE", help="YAML file of the shaft, or a ROSS rotor")
     options.inputs(one)
     options.point(one, "rpm", "shaft speed (default: the speed in the file)")
@@ -89,7 +83,6 @@ def add(commands: Commands) -> None:
         metavar="Z",
         help="further positions (m) at which the deck applies loads and unbalances",
     )
-    one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from raceway.commands import Commands, one_run
+from raceway.commands import one_run
 from raceway.commands.quantity import number
 from raceway.units import prefixed
 
@@ -18,6 +18,7 @@ if TYPE_CHECKING:  # xarray takes longer to load than `--help` should
     from raceway.runs.source import Source
     from raceway.runs.spectrum import Line
 
+HELP = "find kinematic lines (FTF, BSF, BPFO, BPFI) in the motion of a ring"
 DESCRIPTION = """\
 Computes the spectrum of one column of a ring and finds the kinematic lines in it. Simulate enough
 ball passes: -var passes 40 separates all lines except FTF. For each line, the record must be longer
@@ -45,15 +46,8 @@ examples:
 Exit codes: 0 done, 1 the run is broken or has no such signal, 2 wrong command line."""
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "spectrum",
-        help="find kinematic lines (FTF, BSF, BPFO, BPFI) in the motion of a ring",
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one_run.add(one)
     one.add_argument(
         "--signal",
@@ -103,7 +97,6 @@ def add(commands: Commands) -> None:
         help="plot the spectrum and mark its lines (default for --kind time:"
         " DIR/time_frequency.png)",
     )
-    one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -7,8 +7,8 @@ import json
 import math
 from functools import partial
 
-from raceway.commands import Commands, options
-from raceway.commands.quantity import number, takes_negative
+from raceway.commands import options
+from raceway.commands.quantity import number
 from raceway.theory import models
 
 HELP = "compute loads, tilt, film and capacitance from theory, without a simulation"
@@ -51,16 +51,8 @@ HOLD = {
 }
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "static",
-        help=HELP,
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    takes_negative(one)
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     options.bearing(one)
     loads = one.add_argument_group("loads on the inner ring")
     options.point(loads, "load")
@@ -155,7 +147,6 @@ def add(commands: Commands) -> None:
     one.add_argument(
         "--json", action="store_true", help="print a JSON object, or a list for several points"
     )
-    one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:

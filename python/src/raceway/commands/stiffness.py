@@ -5,10 +5,11 @@ import argparse
 import math
 from pathlib import Path
 
-from raceway.commands import Commands, options
-from raceway.commands.quantity import number, takes_negative
+from raceway.commands import options
+from raceway.commands.quantity import number
 from raceway.theory.models import CAPACITANCE
 
+HELP = "compute stiffness and damping for loads and speeds, for ROSS and other programs"
 DESCRIPTION = """\
 Computes stiffness and damping of the inner ring of a bearing from statics and films: 5 x 5 matrices
 in x, y, z, rx, ry, averaged over a ball pass, together with their smallest and largest values. The
@@ -30,16 +31,8 @@ Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 FORMATS = (".csv", ".json", ".toml")
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "stiffness",
-        help="compute stiffness and damping for loads and speeds, for ROSS and other programs",
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    takes_negative(one)
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     options.bearing(one)
     options.grooves(one)
     options.point(one, "load")
@@ -82,7 +75,6 @@ def add(commands: Commands) -> None:
         help="for .toml: tilts of the ring are held, or free without moments (default: held)",
     )
     one.add_argument("--out", metavar="FILE", help="write the results to a .csv, .json or .toml")
-    one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -4,8 +4,13 @@
 import argparse
 import json
 
-from raceway.commands import Commands, one_run
+from raceway.commands import one_run
 
+HELP = "print the results of a run with units and equations"
+DESCRIPTION = """\
+Prints loads, pressures, film, capacitance and speed of a finished run, each with its unit and
+equation, next to the results of `raceway static` for the load, speed, clearance and models of the
+run."""
 EXAMPLES = """\
 examples:
   raceway summary build/run/6208
@@ -14,30 +19,19 @@ examples:
 Exit codes: 0 done, 1 the folder has no finished run or a broken one, 2 wrong command line."""
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "summary",
-        help="print the results of a run with units and equations",
-        description=(
-            "Prints loads, pressures, film, capacitance and speed of a finished run, each with its"
-            " unit and equation, next to the results of `raceway static` for the load, speed,"
-            " clearance and models of the run."
-        ),
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one_run.add(one)
     one.add_argument(
         "--json", action="store_true", help="print a JSON object in SI units instead of a table"
     )
-    one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:
     """Print the results."""
     from raceway.runs.statics import statics
-    from raceway.runs.summary import summary, table
+    from raceway.runs.summary import summary
+    from raceway.runs.summary_table import table
 
     tables = one_run.tables(arguments)
     figures = summary(tables)

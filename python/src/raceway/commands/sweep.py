@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from raceway import files
-from raceway.commands import Commands, options
+from raceway.commands import options
 from raceway.commands.program import command, end_on_signals
 from raceway.commands.quantity import positive
 from raceway.errors import RacewayError
@@ -54,47 +54,37 @@ exec {command} --jobs "${{SLURM_CPUS_PER_TASK:-1}}" --part "${{SLURM_ARRAY_TASK_
 """
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    parser = commands.add_parser(
-        "sweep",
-        help=HELP,
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    parser.add_argument(
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
+    one.add_argument(
         "table",
         metavar="TABLE",
         help="CSV file with variables of the deck in the first line and one point in each further"
         " line",
     )
-    parser.add_argument(
+    one.add_argument(
         "--out", metavar="DIR", help="folder for the sweep (default: build/sweep/NAME for NAME.csv)"
     )
-    options.jobs(parser)
-    options.deck(parser)
-    parser.add_argument("--retry", action="store_true", help="run failed points again")
-    parser.add_argument(
+    options.jobs(one)
+    options.deck(one)
+    one.add_argument("--retry", action="store_true", help="run failed points again")
+    one.add_argument(
         "--part",
         metavar="I/N",
         type=_part,
         default=(1, 1),
         help="run only the points I, I+N, I+2N, ... of the table",
     )
-    parser.add_argument(
-        "--check", action="store_true", help="only check the table, with its ranges"
-    )
-    parser.add_argument(
+    one.add_argument("--check", action="store_true", help="only check the table, with its ranges")
+    one.add_argument(
         "--slurm", metavar="SCRIPT", help="write a Slurm job array to SCRIPT instead of running it"
     )
-    parser.add_argument(
+    one.add_argument(
         "--tasks",
         metavar="N",
         type=positive,
         help="with --slurm: number of tasks in the array (default: one per point, at most 1000)",
     )
-    parser.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -3,7 +3,7 @@
 
 import argparse
 
-from raceway.commands import Commands, options
+from raceway.commands import options
 from raceway.commands.identify import NAMES
 
 HELP = "track clearance, loads, oil temperature and cooling over a series of readings"
@@ -34,22 +34,14 @@ hours.yaml:
 Exit codes: 0 done, 1 the files are invalid or no state carries the loads, 2 wrong command line."""
 
 
-def add(commands: Commands) -> None:
-    """Add the command to the subparsers `commands`."""
-    one = commands.add_parser(
-        "track",
-        help=HELP,
-        description=DESCRIPTION,
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(one: argparse.ArgumentParser) -> None:
+    """Add the options of the command to its parser."""
     one.add_argument("file", metavar="FILE", help="YAML file of known quantities and the series")
     options.inputs(one)
     one.add_argument("--out", metavar="PNG", help="plot the state against time")
     one.add_argument(
         "--csv", metavar="FILE", help="write the table to this file instead of the terminal"
     )
-    one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:
