@@ -16,7 +16,8 @@ from raceway.rows import cells
 from raceway.runs.columns import BEARING, CONTACT, LOSSES
 from raceway.runs.measured import title
 from raceway.runs.statics import statics
-from raceway.runs.summary import TOPICS, reasons, ring_displacement, shown, summary
+from raceway.runs.summary import ring_displacement, summary
+from raceway.runs.summary_table import TOPICS, reasons, shown
 from raceway.runs.tables import RunTables
 from raceway.sweeps.check import variables
 from raceway.units import axis
