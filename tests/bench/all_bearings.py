@@ -8,32 +8,24 @@ with the result of statics.
 This takes a few minutes. The exit code is 1 if a run fails or deviates by more than `WITHIN`.
 """
 
-import subprocess
 import sys
 import tempfile
 from functools import partial
 from pathlib import Path
 
 import numpy as np
+from deck_runs import MAIN, ROOT, attempt
 from raceway import inputs, listing, static
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
-ROOT = Path(__file__).resolve().parents[2]
 WITHIN = 0.01
 PHASES = 16  # number of ball positions that are sampled within a ball pass
 
 
 def run(name, load, axial, out):
     """Return (largest inner contact load (N) within a ball pass, output of the host)."""
-    given = {"bearing": name, "load": load, "axial": axial, "out": out, "passes": 1}
-    words = [word for key, value in given.items() for word in ("-var", key, str(value))]
-    done = subprocess.run(
-        ["build/liggghts", "-in", "inputs/in.6208", "-log", "none", *words],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-    )
+    done = attempt(MAIN, bearing=name, load=load, axial=axial, out=out, passes=1)
     if done.returncode:
         return None, done.stdout[-300:]
     return summary(RunTables(out))["q_inner_max_N"], ""

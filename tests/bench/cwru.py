@@ -9,7 +9,6 @@ clearances for other values of the thrust. It writes build/bench/cwru.rst and do
 """
 
 import csv
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -18,6 +17,7 @@ from typing import NamedTuple
 import matplotlib
 import numpy as np
 import raceway
+from deck_runs import MAIN, ROOT, run_deck
 from raceway import identify
 from raceway.recordings.prediction import Model
 from raceway.recordings.readings import Point, Reading, Readings
@@ -25,7 +25,6 @@ from raceway.recordings.readings import Point, Reading, Readings
 matplotlib.use("Agg")
 from matplotlib import pyplot as plt  # noqa: E402
 
-ROOT = Path(__file__).resolve().parents[2]
 INPUTS = ROOT / "inputs"
 TABLE = Path(__file__).with_suffix("") / "lines.csv"
 PAGE, PICTURE = ROOT / "build/bench/cwru.rst", ROOT / "docs/images/cwru.png"
@@ -77,16 +76,11 @@ def predicted(setup, state):
 def of_a_run(setup, play, folder):
     """Return the order of the line that corresponds to the cage speed of a run at the first
     speed."""
-    words = dict(
-        bearing="6205", lubricant=OIL, models="full", rpm=next(iter(setup.orders)), load=LOAD,
-        axial=THRUST, clearance=play, passes=10, settle=20, record="summary", out=folder,
-        overwrite="yes",
+    run_deck(
+        MAIN, bearing="6205", lubricant=OIL, models="full", rpm=next(iter(setup.orders)),
+        load=LOAD, axial=THRUST, clearance=play, passes=10, settle=20, record="summary",
+        out=folder, overwrite="yes",
     )  # fmt: skip
-    variables = [word for name, value in words.items() for word in ("-var", name, str(value))]
-    command = ["build/liggghts", "-in", "inputs/in.6208", *variables, "-log", "none"]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
-    if done.returncode:
-        raise SystemExit(done.stdout[-2000:])
     motion = raceway.open(folder).motion
     cage = float(motion.cage / motion.inner)
     return 9 * (1 - cage if setup.line == "BPFI" else cage)

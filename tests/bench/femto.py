@@ -10,13 +10,13 @@ temperature, because the data suggest that the recordings began with a warm bear
 """
 
 import csv
-import subprocess
 from pathlib import Path
 from typing import NamedTuple
 
 import matplotlib
 import numpy as np
 import raceway
+from deck_runs import MAIN, ROOT, run_deck
 from raceway import heat, heat_scene, inputs
 from raceway.core import laws, library
 from scipy import integrate, optimize
@@ -24,7 +24,6 @@ from scipy import integrate, optimize
 matplotlib.use("Agg")
 from matplotlib import pyplot as plt  # noqa: E402
 
-ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).with_suffix("")
 PAGE, PICTURE = ROOT / "build/bench/femto.rst", ROOT / "docs/images/femto.png"
 AMBIENT, LOAD, RPM, OIL = 26.5, 4000.0, 1800.0, "vg68"
@@ -177,19 +176,12 @@ def error_of_jumps(table, of, change):
 def cold_start(of, folder, until=600.0, change=2.0):
     """Run the main deck with time jumps from a cold start, and return the dataset of its
     temperatures."""
-    variables = dict(
-        bearing=HERE / "bearing", lubricant=OIL, load=LOAD, rpm=RPM, heat="yes", ambient=AMBIENT,
-        warm_start=measured()["cold start"][1][0], warm_time=until, warm_change=change,
-        seat=of["seat"], cooling=of["housing"], housing_capacity=of["capacity"], out=folder,
-        overwrite="yes", record="summary", passes=1,
+    run_deck(
+        MAIN, bearing=HERE / "bearing", lubricant=OIL, load=LOAD, rpm=RPM, heat="yes",
+        ambient=AMBIENT, warm_start=measured()["cold start"][1][0], warm_time=until,
+        warm_change=change, seat=of["seat"], cooling=of["housing"],
+        housing_capacity=of["capacity"], out=folder, overwrite="yes", record="summary", passes=1,
     )  # fmt: skip
-    words = [word for name, value in variables.items() for word in ("-var", name, str(value))]
-    done = subprocess.run(
-        ["build/liggghts", "-in", "inputs/in.6208", "-log", "none", *words],
-        cwd=ROOT, capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    if done.returncode:
-        raise SystemExit(done.stdout[-2000:])
     return raceway.open(folder).heat
 
 

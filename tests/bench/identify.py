@@ -8,18 +8,16 @@ second state of the latter, the load and the oil temperature are given, too. `id
 states for each set (default: 30).
 """
 
-import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import raceway
+from deck_runs import MAIN, ROOT, run_deck
 from raceway import identify
 from raceway.recordings import line_table
 from raceway.recordings.readings import Point, Reading, Readings
 
-ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "build/bench/identify.rst"
 POINTS = Point(1797.0), Point(1797.0, axial_more=300.0), Point(3000.0, load_more=100.0)
 RANGES = {
@@ -48,10 +46,10 @@ def drawn(random, least):
 
 def run(state, point, folder):
     """Run the main deck for a state at an operating point."""
-    words = dict(
-        state,
-        axial=state["axial"] + point.axial_more,
-        load=state["load"] + point.load_more,
+    loads = dict(axial=state["axial"] + point.axial_more, load=state["load"] + point.load_more)
+    run_deck(
+        MAIN,
+        **{**state, **loads},
         bearing="6205",
         lubricant=LUBRICANT,
         models="full",
@@ -62,9 +60,6 @@ def run(state, point, folder):
         overwrite="yes",
         out=folder,
     )
-    variables = [word for name, value in words.items() for word in ("-var", name, str(value))]
-    command = ["build/liggghts", "-in", "inputs/in.6208", *variables, "-log", "none"]
-    subprocess.run([*command, "-screen", "none"], cwd=ROOT, check=True)
     return raceway.open(folder)
 
 

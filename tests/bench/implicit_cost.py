@@ -11,20 +11,20 @@ import re
 import shutil
 import statistics
 import subprocess
-import sys
 import tempfile
 from datetime import date
 from math import log, pi, sin
 from pathlib import Path
 
+from deck_runs import ROOT, command, nanoseconds, run_deck
 from machine import bench_file, csv_table, machine
 
-ROOT = Path(__file__).resolve().parents[2]
 PAGE = bench_file("implicit_cost.rst")
 ROUNDS = 5
 BALLS = 9
 STEPS = 20_000
 PLAIN = "tolerance 1e-7 order"
+DECK = "tests/bench/in.implicit_cost"
 SCENES = [  # name, variables of in.implicit_cost, index of the scene to compare with (or None)
     (
         "dry: 9 balls, two raceways, friction, free ring; order 1",
@@ -78,29 +78,12 @@ PARTS = [
 ]
 
 
-def deck(name, **variables):
-    command = [ROOT / "build/liggghts", "-in", ROOT / "tests/bench" / name, "-log", "none"]
-    for key, value in {"steps": STEPS, **variables}.items():
-        command += ["-var", key, str(value)]
-    return command
-
-
 def measure(name, variables):
     """Return (ns per host step, internal steps per host step, corrections per internal step)."""
-    done = subprocess.run(
-        deck(name, **variables),
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        errors="replace",
-        check=False,
-    )
-    loops = re.findall(r"Loop time of (\S+) on", done.stdout)
-    if done.returncode or not loops:
-        sys.exit(f"{name} {variables} failed:\n{done.stdout[-2000:]}")
-    control = re.search(r"substeps (\S+) corrections (\S+)", done.stdout)
+    text = run_deck(f"tests/bench/{name}", **{"steps": STEPS, **variables})
+    control = re.search(r"substeps (\S+) corrections (\S+)", text)
     inside = (float(control.group(1)) / STEPS, float(control.group(2))) if control else (0, 0)
-    return float(loops[-1]) / STEPS * 1e9, *inside
+    return nanoseconds(text, STEPS), *inside
 
 
 def wide(balls):
@@ -128,7 +111,7 @@ def profile():
         data = Path(folder) / "perf.data"
         variables = dict(SCENES[4][1], control=f"{PLAIN} 2", steps=10 * STEPS)
         subprocess.run(
-            ["perf", "record", "-q", "-o", data, *deck("in.implicit_cost", **variables)],
+            ["perf", "record", "-q", "-o", data, *command(DECK, **variables)],
             cwd=ROOT,
             capture_output=True,
             check=False,

@@ -16,9 +16,9 @@ import time
 from datetime import date
 from pathlib import Path
 
+from deck_runs import MAIN, ROOT, run_deck
 from machine import bench_file, csv_table, machine
 
-ROOT = Path(__file__).resolve().parents[2]
 LIMIT = 1000  # MB
 FIGURES, LARGEST = "all figures (`raceway summary`)", "largest load of each ball"
 LONGEST = {FIGURES: 3.0, LARGEST: 1.0}  # s
@@ -49,17 +49,10 @@ TASKS = {  # {name: statements with `run`, executed in a separate process}
 }
 
 
-def run_deck(folder, passes):
+def write(folder, passes):
     """Run the main deck for a number of ball passes, with its record in `folder`."""
     print(f"simulating {passes} ball passes into {folder}", flush=True)
-    words = [ROOT / "build" / "liggghts", "-in", "inputs/in.6208", "-log", "none"]
-    for name, value in {"passes": passes, "out": folder, "overwrite": "yes"}.items():
-        words += ["-var", name, str(value)]
-    done = subprocess.run(
-        words, cwd=ROOT, capture_output=True, text=True, errors="replace", check=False
-    )
-    if done.returncode:
-        sys.exit(f"the deck failed:\n{done.stdout[-2000:]}")
+    run_deck(MAIN, passes=passes, out=folder, overwrite="yes")
 
 
 def passes_of(folder):
@@ -75,8 +68,8 @@ def simulate(folder, size):
     make one whose length is estimated from a short run."""
     record = folder / "record.nc"
     if not (passes_of(folder) and record.stat().st_size >= size):
-        run_deck(folder, 4)
-        run_deck(folder, int(1.01 * size * 4 / record.stat().st_size) + 1)
+        write(folder, 4)
+        write(folder, int(1.01 * size * 4 / record.stat().st_size) + 1)
     return passes_of(folder)
 
 

@@ -6,16 +6,12 @@ Every round runs all scenes, so that a drift in the speed of the machine affects
 ratio to the empty step is formed within each round. The page lists medians and ranges.
 """
 
-import re
 import statistics
-import subprocess
-import sys
 from datetime import date
-from pathlib import Path
 
+from deck_runs import nanoseconds, run_deck
 from machine import bench_file, csv_table, machine
 
-ROOT = Path(__file__).resolve().parents[2]
 ROUNDS = 7
 STEPS = 200_000
 SCENES = [  # name, deck, variables, target for the ratio to the empty step
@@ -33,35 +29,16 @@ SCENES = [  # name, deck, variables, target for the ratio to the empty step
 ]
 
 
-def nanoseconds(deck, variables):
-    """Return the time in ns per step for the last run of a deck."""
-    command = [
-        ROOT / "build" / "liggghts",
-        "-in",
-        ROOT / "tests" / "bench" / deck,
-        "-log",
-        "none",
-        "-var",
-        "steps",
-        str(STEPS),
-    ]
-    for name, value in variables.items():
-        command += ["-var", name, str(value)]
-    done = subprocess.run(
-        command, cwd=ROOT, capture_output=True, text=True, errors="replace", check=False
-    )
-    loops = re.findall(r"Loop time of (\S+) on", done.stdout)
-    if done.returncode or not loops:
-        sys.exit(f"{deck} failed:\n{done.stdout[-2000:]}")
-    return float(loops[-1]) / STEPS * 1e9
-
-
 def main():
     """Measure, print the results and write the page."""
     rounds = []
     for number in range(ROUNDS):
         print(f"round {number + 1} of {ROUNDS}", flush=True)
-        rounds.append([nanoseconds(deck, variables) for _, deck, variables, _ in SCENES])
+        texts = [
+            run_deck(f"tests/bench/{deck}", steps=STEPS, **variables)
+            for _, deck, variables, _ in SCENES
+        ]
+        rounds.append([nanoseconds(text, STEPS) for text in texts])
     lines = [
         ".. written by make bench (tests/bench/step_cost.py); do not edit",
         "",

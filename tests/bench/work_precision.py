@@ -14,20 +14,18 @@ no output. A round runs all methods for a scene.
 
 import re
 import statistics
-import subprocess
 import sys
 from datetime import date
-from pathlib import Path
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
+from deck_runs import ROOT, attempt  # noqa: E402
 from machine import bench_file, csv_table, machine  # noqa: E402
 from matplotlib.ticker import NullFormatter  # noqa: E402
 
-ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
 
 from host import tables  # noqa: E402
@@ -66,27 +64,9 @@ TARGETS = {5.0: (150, 300), 50.0: (20, 40), 1000.0: (1.5, 10)}
 def run(**variables):
     """Return (wall time per simulated time, mean step) for one run of in.precision, or None if the
     run was rejected."""
-    words = [w for name, value in variables.items() for w in ("-var", name, str(value))]
-    done = subprocess.run(
-        [
-            "build/liggghts",
-            "-in",
-            "tests/bench/in.precision",
-            "-log",
-            "none",
-            "-var",
-            "out",
-            FOLDER,
-            *words,
-        ],
-        cwd=ROOT,
-        text=True,
-        capture_output=True,
-        errors="replace",
-        check=False,
-    )
-    result = re.search(r"RESULT rate (\S+) step (\S+)", done.stdout)
-    control = re.search(r"CONTROL mean (\S+)", done.stdout)
+    text = attempt("tests/bench/in.precision", out=FOLDER, **variables).stdout
+    result = re.search(r"RESULT rate (\S+) step (\S+)", text)
+    control = re.search(r"CONTROL mean (\S+)", text)
     return (
         (1 / float(result.group(1)), float((control or result).group(1 if control else 2)))
         if result
