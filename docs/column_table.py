@@ -2,13 +2,18 @@
 """Sphinx extension for tables that C++ exports: `.. columns:: SECTION` for output columns,
 `.. law-keywords:: dry|film` for keywords of the contact law, `.. law-parts::` for the parts of the
 law, `.. validity::` for validity rules, `.. oil-constants::` for the default constants of oils, and
-`.. deck-variables:: COMMAND` for the deck variables of a command."""
+`.. deck-variables:: COMMAND|DECK` for the deck variables of a command or a deck."""
+
+import re
+from pathlib import Path
 
 from docutils.statemachine import StringList
 from raceway import core
 from sphinx.util.docutils import SphinxDirective
 
 COLUMNS = core.PATH  # the library that contains the tables
+INPUTS = Path(__file__).resolve().parents[1] / "inputs"
+APART = ("bearing/heat", "usual data")  # these have a table of their own
 NEEDS = {
     "film": "*bearing/ehd* only",
     "capacitance": "needs :doc:`fix_bearing_capacitance`",
@@ -156,23 +161,41 @@ class OilTable(SphinxDirective):
         return self.parse_text_to_nodes(StringList(lines, source=str(COLUMNS)))
 
 
+def range_of_variable(row: dict) -> str:
+    """Return the range of a deck variable as "1 to 5", "1 to 5, or 0" or a list of words."""
+    first, *rest = row["range"].split() or [""]
+    if first == "one_of":
+        return ", ".join(rest)
+    return f"{first} to {' '.join(rest)}".replace(" or ", ", or ") if rest else ""
+
+
+def of_deck(name: str) -> dict[str, str]:
+    """Return {variable: default, or "" if it is that of the command} for a deck in inputs."""
+    text = (INPUTS / name).read_text().replace("&\n", "")
+    passed = " ".join(re.findall(r"\bvars\b(.*)", text)).split()
+    return dict.fromkeys(passed, "") | dict(re.findall(r"^variable (\S+) +index (\S+)", text, re.M))
+
+
 class DeckVariables(SphinxDirective):
-    """Deck variables that set the keywords of one command."""
+    """Deck variables that set the keywords of one command, or those of a deck in inputs."""
 
     required_arguments = 1
 
     def run(self):
         self.env.note_dependency(str(COLUMNS))
+        of = self.arguments[0]
+        deck = of_deck(of) if of == "in.6208" else {}
         rows = [
             (
                 f"``{r['name']}``",
-                r["default"],
+                deck.get(r["name"]) or r["default"],
+                range_of_variable(r),
                 r["meaning"] + (f" ({r['unit']})" if r["unit"] else ""),
             )
             for r in core.table("variables")
-            if r["of"] == self.arguments[0]
+            if r["of"] == of or (r["name"] in deck and r["of"] not in APART)
         ]
-        lines = table("20 14 66", ("variable", "default", "meaning"), rows)
+        lines = table("20 14 22 44", ("variable", "default", "range", "meaning"), rows)
         return self.parse_text_to_nodes(StringList(lines, source=str(COLUMNS)))
 
 

@@ -60,7 +60,7 @@ const std::vector<DeckVariable> &deck_variables()
       {"cage", "yes", "", "one_of auto yes no ring chain", "bearing",
        "yes or chain: small balls on two rails; ring: one rigid ring; no: no cage, so that balls "
        "may touch each other; auto: ring with the models full, implicit steps and a lubricant, "
-       "otherwise chain"},
+       "unless data of cage balls are given, otherwise chain"},
       {"cage_play", "0", "m", "1.0e-6 0.1 or 0", "bearing/cage/ring",
        "total play of a ball in its pocket along the pitch circle; 0: estimated"},
       {"cage_across", "0", "m", "1.0e-6 0.1 or 0", "bearing/cage/ring",
