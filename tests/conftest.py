@@ -14,9 +14,16 @@ import gc
 import os
 
 import pytest
+from host import ROOT
 from xdist.scheduler import LoadFileScheduling
 
 os.environ.update(HWLOC_COMPONENTS="synthetic", HWLOC_SYNTHETIC=f"core:{os.cpu_count()} pu:1")
+
+
+@pytest.fixture
+def in_the_tree(monkeypatch):
+    """Make the root of the repository the current folder."""
+    monkeypatch.chdir(ROOT)
 
 
 class Scheduling(LoadFileScheduling):

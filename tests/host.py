@@ -2,6 +2,7 @@
 """Run decks from the root of the repository, in the hosts built by `make build`."""
 
 import os
+import re
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
@@ -121,6 +122,19 @@ def run(
         check=False,
     )
     return Outcome(done.returncode, done.stdout)
+
+
+def deck_file(folder, text, name="in.deck"):
+    """Write the `text` of a deck to a file in `folder`, and return its path."""
+    path = folder / name
+    path.write_text(text)
+    return path
+
+
+def refused(outcome, message):
+    """Check that a run failed with an error that matches the regular expression `message`."""
+    assert outcome.code > 0, outcome.text[-2000:]
+    assert re.search(message, outcome.error), outcome.error or outcome.text[-2000:]
 
 
 def liggghts(deck, *, sanitized=False, **kwargs):

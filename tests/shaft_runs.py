@@ -9,11 +9,9 @@ import re
 
 import numpy as np
 import xarray
-from host import run, succeed
-from raceway.theory.bearing import Bearing
+from host import deck_file, run, succeed
 
 DECK = "tests/scenarios/in.shaft"
-B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 TILTING = "x free y free rx free ry free spin speed"
 
 
@@ -115,6 +113,5 @@ group inner type 3
 
 
 def small(tmp_path, text, *, off="0", **variables):
-    deck = tmp_path / "in.small"
-    deck.write_text(SMALL.replace("OFF", off) + text)
+    deck = deck_file(tmp_path, SMALL.replace("OFF", off) + text)
     return run(deck, **variables)

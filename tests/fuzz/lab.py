@@ -9,7 +9,7 @@ from pathlib import Path
 from fuzz import figures
 from fuzz.deck import deck
 from fuzz.pose import UPRIGHT
-from host import run
+from host import deck_file, run
 
 HOSTS = {"liggghts": "liggghts", "lammps": "lammps", "plugin": "wheel", "sanitized": "sanitized"}
 # limit for runs that take 0.1 s on an idle machine but up to a hundred times as long on a busy one
@@ -48,8 +48,7 @@ class Lab:
         """Run a deck and return its outcome. A crash, a hang, or a failure without a message is a
         finding."""
         self.runs += 1
-        file = self.folder / f"in.{name}"
-        file.write_text(text)
+        file = deck_file(self.folder, text, f"in.{name}")
         try:
             end = run(
                 file,

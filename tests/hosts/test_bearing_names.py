@@ -3,7 +3,7 @@
 mistake."""
 
 import pytest
-from host import run
+from host import deck_file, run
 
 DECK = """variable bearing index 6208
 variable clearance index 0
@@ -14,8 +14,7 @@ print "IS ${b_outer_radius} ${b_box} ${b_inner_mass} ${b_inner_inertia} ${b_cage
 
 
 def said(tmp_path, deck, **values):
-    path = tmp_path / "in.deck"
-    path.write_text(deck)
+    path = deck_file(tmp_path, deck)
     done = run(path, **values)
     return done, [line for line in done.text.splitlines() if line[:3] == "IS "]
 

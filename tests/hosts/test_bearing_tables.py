@@ -3,7 +3,7 @@
 after the row, and Python reads the same data."""
 
 import pytest
-from host import ROOT, run, succeed
+from host import ROOT, deck_file, run, succeed
 from raceway import data_table, inputs
 
 HOSTS = ["liggghts", "lammps", "wheel"]
@@ -34,8 +34,7 @@ def table(tmp_path, text=OWN):
 
 
 def deck(tmp_path, folder, before=""):
-    path = tmp_path / "in.deck"
-    path.write_text(DECK.format(folder=folder, before=before))
+    path = deck_file(tmp_path, DECK.format(folder=folder, before=before))
     return path
 
 

@@ -2,7 +2,7 @@
 """Forces and reported values are correct at the boundary between two consecutive runs."""
 
 import pytest
-from host import ROOT, frames, succeed
+from host import ROOT, deck_file, frames, succeed
 
 BITS = (ROOT / "tests" / "hosts" / "in.bits").read_text()
 DRAG = "fix drag balls viscous 5.0\n"
@@ -11,8 +11,7 @@ DRAG = "fix drag balls viscous 5.0\n"
 def test_a_fix_defined_between_runs_adds_no_impulse(tmp_path):
     """The forces of the previous step are restored after every fix, including any fix added later,
     has been set up."""
-    deck = tmp_path / "in.drag"
-    deck.write_text(BITS.replace("timestep 2.0e-7\n", DRAG + "timestep 2.0e-7\n"))
+    deck = deck_file(tmp_path, BITS.replace("timestep 2.0e-7\n", DRAG + "timestep 2.0e-7\n"))
     succeed(deck, out=tmp_path / "whole")
     deck.write_text(deck.read_text() + "unfix drag\n" + DRAG + "run 200\n")
     succeed(deck, out=tmp_path / "two", first=200)
@@ -25,8 +24,8 @@ def test_a_fix_defined_between_runs_adds_no_impulse(tmp_path):
 def test_report_is_of_the_end_of_the_step(tmp_path):
     """Reported values describe the end of the step, even if a variable that drives a ring reads
     values for the same ring in the middle of the step."""
-    deck = tmp_path / "in.report"
-    deck.write_text(
+    deck = deck_file(
+        tmp_path,
         BITS.replace(
             "timestep 2.0e-7\n",
             (
@@ -39,7 +38,7 @@ def test_report_is_of_the_end_of_the_step(tmp_path):
                 'fix report all print 20 "${n} ${x} ${vy}" file ${out}/report.txt screen no\n'
                 "timestep 2.0e-7\n"
             ),
-        )
+        ),
     )
     succeed(deck, out=tmp_path)
     dumped = frames(tmp_path / "balls.dump")
@@ -55,8 +54,7 @@ def test_report_is_of_the_end_of_the_step(tmp_path):
 def test_restart_written_in_a_run_without_setup(tmp_path):
     """`run N pre no` skips the setup; a restart file written during such a run must nevertheless
     contain the forces of that step."""
-    deck = tmp_path / "in.pre"
-    deck.write_text(BITS.replace("run ${first}\n", "run 100\nrun 300 pre no\n"))
+    deck = deck_file(tmp_path, BITS.replace("run ${first}\n", "run 100\nrun 300 pre no\n"))
     succeed(deck, out=tmp_path, keep=200)
     succeed(
         "tests/hosts/in.bits_resume", out=tmp_path / "resumed", **{"from": tmp_path / "restart.200"}
@@ -66,9 +64,9 @@ def test_restart_written_in_a_run_without_setup(tmp_path):
 
 def test_reports_after_the_pair_style_is_gone(tmp_path):
     """Reading values between runs does not access freed memory (checked by AddressSanitizer)."""
-    deck = tmp_path / "in.gone"
-    deck.write_text(
+    deck = deck_file(
+        tmp_path,
         BITS + "pair_style bearing/hertz friction none\nvariable gone equal f_inner[1]\n"
-        'print "shift ${gone}"\n'
+        'print "shift ${gone}"\n',
     )
     assert "shift 0" in succeed(deck, out=tmp_path, sanitized=True, first=20).text

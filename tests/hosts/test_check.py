@@ -5,6 +5,7 @@ the results for the run."""
 import json
 
 import pytest
+from commands import reply
 from host import ROOT, succeed
 from raceway.cli import main
 from raceway.report.of_run import repeat
@@ -53,12 +54,15 @@ def test_errors_are_those_of_the_run(checked, tmp_path):
 
 
 def test_summary_shows_them(checked, capsys):
-    assert main(["summary", str(checked)]) == 0
-    said = capsys.readouterr().out
+    said = reply(capsys, ["summary", str(checked)])
     (line,) = (one for one in said.splitlines() if one.lstrip().startswith("largest contact load"))
     assert "±" in line
-    assert main(["summary", str(checked), "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["numerical_errors"]["q_max_N"] > 0
+    assert (
+        json.loads(reply(capsys, ["summary", str(checked), "--json"]))["numerical_errors"][
+            "q_max_N"
+        ]
+        > 0
+    )
 
 
 def test_of_another_run_they_are_not_shown(checked, tmp_path):
@@ -111,16 +115,20 @@ def test_data_of_ones_own(tmp_path, monkeypatch, own):
 
 def test_mistakes(checked, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(ROOT)
-    assert main(["check", str(checked), "--program", "nowhere/liggghts"]) == 1
-    assert "there is no program 'nowhere/liggghts'" in capsys.readouterr().err
-    assert main(["check", str(checked), "--deck", "inputs/in.nowhere"]) == 1
-    assert "--deck inputs/in.nowhere: there is no such file" in capsys.readouterr().err
+    assert "there is no program 'nowhere/liggghts'" in reply(
+        capsys, ["check", str(checked), "--program", "nowhere/liggghts"], code=1
+    )
+    assert "--deck inputs/in.nowhere: there is no such file" in reply(
+        capsys, ["check", str(checked), "--deck", "inputs/in.nowhere"], code=1
+    )
     own = tmp_path / "own"
     succeed("inputs/in.6208", out=own, ball_young=200e9, **COARSE)
     for name, value in (("ball_young", "190e9"), ("ball_poisson", "0.2"), ("load", "100")):
-        assert main(["check", str(own), "--var", name, value]) == 1
-        assert "give --var for data that were given to the run" in capsys.readouterr().err
+        assert "give --var for data that were given to the run" in reply(
+            capsys, ["check", str(own), "--var", name, value], code=1
+        )
     assert main(["check", str(own), "--var", "ball_young", "200e9"]) == 0
     (own / "check.json").write_text("[]")
-    assert main(["summary", str(own)]) == 1
-    assert "check.json is not a result of raceway check" in capsys.readouterr().err
+    assert "check.json is not a result of raceway check" in reply(
+        capsys, ["summary", str(own)], code=1
+    )

@@ -24,9 +24,7 @@ record: {seconds: 0.01, rates: [12000, 48000], files: [mat, parquet]}
 """
 
 
-@pytest.fixture(autouse=True)
-def at_the_root(monkeypatch):
-    monkeypatch.chdir(ROOT)
+pytestmark = pytest.mark.usefixtures("in_the_tree")
 
 
 def dataset(folder, text=SPEC, *more):

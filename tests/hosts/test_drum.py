@@ -7,7 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from host import FORMATS, ROOT, VENV, frames, liggghts, run, succeed
+from host import FORMATS, ROOT, VENV, deck_file, frames, liggghts, run, succeed
 from scenes import changed
 
 DECK = "docs/decks/in.drum"
@@ -112,8 +112,7 @@ def test_a_restart_repeats_the_bits(tmp_path, ranks):
     ],
 )
 def test_mistakes(tmp_path, old, new, message):
-    deck = tmp_path / "in.wrong"
-    deck.write_text(changed("in.drum", [(old, new)]))
+    deck = deck_file(tmp_path, changed("in.drum", [(old, new)]))
     wrong = liggghts(deck, **SHORT, out=tmp_path / "a")
     assert wrong.code != 0
     assert message in wrong.error, wrong.text[-1500:]

@@ -5,7 +5,7 @@ finished, failures and messages."""
 import json
 
 import pytest
-from host import ROOT
+from commands import reply
 from raceway.cli import main
 from raceway.sweeps import heat_runs
 from raceway.theory import heat_scene, steady_heat
@@ -14,9 +14,7 @@ from raceway.theory.cage_drag import CageRing
 POINT = ["heat", "--load", "5000", "--rpm", "9549", "--lubricant", "vg46"]
 
 
-@pytest.fixture(autouse=True)
-def in_the_tree(monkeypatch):
-    monkeypatch.chdir(ROOT)
+pytestmark = pytest.mark.usefixtures("in_the_tree")
 
 
 @pytest.fixture(scope="module")
@@ -71,10 +69,12 @@ def test_finished_runs_are_not_run_again(capsys, folder):
 
 
 def test_failures(capsys, tmp_path):
-    assert main([*POINT, "--runs", "1", "--program", "false", "--out", str(tmp_path)]) == 1
-    assert "exit code 1" in capsys.readouterr().err
-    assert main([*POINT, "--runs", "1", "--program", "no-such-program"]) == 1
-    assert "there is no program 'no-such-program'" in capsys.readouterr().err
+    assert "exit code 1" in reply(
+        capsys, [*POINT, "--runs", "1", "--program", "false", "--out", str(tmp_path)], code=1
+    )
+    assert "there is no program 'no-such-program'" in reply(
+        capsys, [*POINT, "--runs", "1", "--program", "no-such-program"], code=1
+    )
 
 
 @pytest.mark.parametrize(
@@ -87,7 +87,4 @@ def test_failures(capsys, tmp_path):
     ],
 )
 def test_messages(capsys, more, message):
-    with pytest.raises(SystemExit) as stop:
-        main([*POINT, *more])
-    assert stop.value.code == 2
-    assert message in capsys.readouterr().err
+    assert message in reply(capsys, [*POINT, *more], code=2)

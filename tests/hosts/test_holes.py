@@ -5,27 +5,10 @@ belong to two fixes."""
 import re
 
 import pytest
-from host import ROOT, liggghts
+from host import refused
+from smallest import IMPLICIT, SMALLEST, outcome
 
-SMALLEST = (ROOT / "docs" / "decks" / "in.smallest").read_text()
-IMPLICIT = (
-    SMALLEST.replace(
-        "fix move balls nve/sphere",
-        "group all_of_it type 1 2 3\nfix move all_of_it bearing/implicit",
-    )
-    .replace("exceed stop", "exceed ignore")
-    .replace("timestep 1.0e-6", "timestep 1.0e-5")
-)
 INTEGRATORS = {"verlet": SMALLEST, "implicit": IMPLICIT}
-RUN = "run 20000\n"
-
-
-def outcome(tmp_path, deck, commands, **kwargs):
-    """Return the outcome of `deck` with its last run replaced by `commands`."""
-    assert deck.count(RUN) == 1
-    file = tmp_path / "in.hole"
-    file.write_text(deck.replace(RUN, commands))
-    return liggghts(file, **kwargs)
 
 
 @pytest.fixture(params=INTEGRATORS)
@@ -40,10 +23,7 @@ def test_two_fixes_on_one_ring_are_refused(tmp_path, deck, ranks):
     end = outcome(
         tmp_path, deck, "fix again inner bearing/ring spin speed 50\nrun 100\n", ranks=ranks
     )
-    assert end.code != 0
-    assert re.search(
-        r"fix again bearing/ring and fix inner bearing/ring both move ring atom 10", end.error
-    )
+    refused(end, r"fix again bearing/ring and fix inner bearing/ring both move ring atom 10")
 
 
 def test_one_fix_after_another_on_one_ring(tmp_path, deck):
@@ -62,11 +42,10 @@ def test_balls_may_not_join_the_group_of_a_ring_fix(tmp_path, deck, when):
     reported for the ring were those of a ball."""
     first = "run 20\n" if when == "between two runs" else ""
     end = outcome(tmp_path, deck, first + "group inner type 1\nrun 100\n")
-    assert end.code != 0
-    assert re.search(
+    refused(
+        end,
         r"fix inner bearing/ring: atom \d of group inner is of type 1, which no pair_coeff names as"
         r" a ring",
-        end.error,
     )
 
 

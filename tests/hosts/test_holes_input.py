@@ -5,7 +5,7 @@ data, words that only C reads as numbers, and paths that are not files."""
 import re
 
 import pytest
-from host import ROOT, liggghts
+from host import ROOT, liggghts, refused
 from raceway.sweeps.variable_table import rows
 
 BEARING = (ROOT / "inputs" / "bearings" / "6208").read_text()
@@ -34,11 +34,6 @@ NUMBERS = {
     "load": ("+5000", "0x1388"),
     "step": (1e-12,),
 }
-
-
-def refused(end, message):
-    assert end.code > 0, end.text[-2000:]
-    assert re.search(message, end.error), end.error or end.text[-2000:]
 
 
 @pytest.mark.parametrize("name, value", [(n, v) for n, values in NUMBERS.items() for v in values])

@@ -3,11 +3,10 @@
 are rejected. The trees in this file contain only the files that the installer inspects;
 own_lammps.py uses a complete tree."""
 
-import subprocess
-
 import pytest
-from host import ROOT
+from hosts.source_trees import Installer
 
+TREES = Installer("LAMMPS")
 CMAKE = """\
 # we require C++11 without extensions
 set(CMAKE_CXX_STANDARD 11)
@@ -41,98 +40,63 @@ def tree(request, tmp_path):
     return tree
 
 
-def make(what, tree):
-    """Run `make install-tree` or `make uninstall-tree` and return (exit code, output)."""
-    done = subprocess.run(
-        ["make", "-s", f"{what}-tree", f"LAMMPS={tree}"],
-        cwd=ROOT,
-        text=True,
-        check=False,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-    )
-    return done.returncode, done.stdout
-
-
-def contents(tree):
-    """Return all files and folders in a tree."""
-    return {
-        str(path.relative_to(tree)): path.read_text() if path.is_file() else None
-        for path in tree.rglob("*")
-    }
-
-
-def refused(tree, says, what="install"):
-    """Check that the tree is rejected with a message and left unchanged."""
-    before = contents(tree)
-    code, text = make(what, tree)
-    assert code != 0 and "Refused: " in text and says in text, text
-    assert contents(tree) == before
-
-
 def test_in_and_out(tree):
-    before = contents(tree)
-    code, text = make("install", tree)
-    assert code == 0, text
-    after = contents(tree)
+    before, after = TREES.in_and_out(tree)
     assert {"src/RACEWAY/vec3.h", "src/RACEWAY/create_bearing.cpp"} <= after.keys()
     assert {name for name in before if after[name] != before[name]} == {"cmake/CMakeLists.txt"}
-    assert "set(STANDARD_PACKAGES\n  RACEWAY\n" in after["cmake/CMakeLists.txt"]
-    assert "set(CMAKE_CXX_STANDARD 11)" not in after["cmake/CMakeLists.txt"]
-    machine = after["src/MAKE/MINE/Makefile.raceway"]
+    lists = after["cmake/CMakeLists.txt"].decode()
+    assert "set(STANDARD_PACKAGES\n  RACEWAY\n" in lists
+    assert "set(CMAKE_CXX_STANDARD 11)" not in lists
+    machine = after["src/MAKE/MINE/Makefile.raceway"].decode()
     assert "-std=c++17" in machine and "-std=c++11" not in machine and "LIB =\n" in machine
-    refused(tree, "already contains Raceway")
-    code, text = make("uninstall", tree)
-    assert code == 0, text
-    assert contents(tree) == before
 
 
 def test_a_tree_without_it(tree):
-    refused(tree, "has no Raceway", what="uninstall")
+    TREES.refused(tree, "has no Raceway", what="uninstall")
 
 
 def test_no_tree(tmp_path):
-    refused(tmp_path, "is not a LAMMPS source tree")
+    TREES.refused(tmp_path, "is not a LAMMPS source tree")
 
 
 def test_another_version(tree):
     (tree / "src" / "version.h").write_text('#define LAMMPS_VERSION "3 Mar 2020"\n')
-    refused(tree, "is LAMMPS 20200303; supported are 20210929, and 20220504 or later")
+    TREES.refused(tree, "is LAMMPS 20200303; supported are 20210929, and 20220504 or later")
 
 
 def test_changed_where_it_must_be_patched(tree):
     (tree / "cmake" / "CMakeLists.txt").write_text(CMAKE.replace("STANDARD_PACKAGES", "PACKAGES"))
-    refused(tree, "CMakeLists.txt is not the file of a known LAMMPS")
+    TREES.refused(tree, "CMakeLists.txt is not the file of a known LAMMPS")
 
 
 def test_another_machine_file(tree):
     (tree / "src" / "MAKE" / "Makefile.mpi").write_text("CC = mpicxx\n")
-    refused(tree, "it must have exactly one line CCFLAGS")
+    TREES.refused(tree, "it must have exactly one line CCFLAGS")
 
 
 def test_a_file_in_the_way(tree):
     (tree / "src" / "film.h").write_text("// another film\n")
-    refused(tree, "has film.h already")
+    TREES.refused(tree, "has film.h already")
     (tree / "src" / "film.h").unlink()
     (tree / "src" / "MAKE" / "MINE" / "Makefile.raceway").write_text("mine\n")
-    refused(tree, "Makefile.raceway exists")
+    TREES.refused(tree, "Makefile.raceway exists")
 
 
 def test_a_file_changed_since(tree):
-    assert make("install", tree)[0] == 0
+    assert TREES.make("install", tree)[0] == 0
     (tree / "src" / "RACEWAY" / "vec3.h").write_text("// mine\n")
-    refused(tree, "changed since the installation: src/RACEWAY/vec3.h", what="uninstall")
+    TREES.refused(tree, "changed since the installation: src/RACEWAY/vec3.h", what="uninstall")
 
 
 def test_package_that_is_in_use(tree):
     """The package counts as in use, because `make yes-raceway` has copied it to src."""
-    assert make("install", tree)[0] == 0
+    assert TREES.make("install", tree)[0] == 0
     (tree / "src" / "create_bearing.cpp").touch()
-    refused(tree, "no-raceway first", what="uninstall")
+    TREES.refused(tree, "no-raceway first", what="uninstall")
 
 
 def test_a_file_of_the_user_stays(tree):
-    assert make("install", tree)[0] == 0
+    assert TREES.make("install", tree)[0] == 0
     (tree / "src" / "RACEWAY" / "mine.cpp").touch()
-    assert make("uninstall", tree)[0] == 0
+    assert TREES.make("uninstall", tree)[0] == 0
     assert [path.name for path in (tree / "src" / "RACEWAY").iterdir()] == ["mine.cpp"]

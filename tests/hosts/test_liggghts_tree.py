@@ -9,33 +9,12 @@ import subprocess
 
 import pytest
 from debian_tree import TREE, source_entries, unpacked
-from host import ROOT, frames, succeed
+from host import frames, succeed
+from hosts.source_trees import Installer, contents
 
-SCRIPT = ROOT / "src-package" / "host" / "liggghts_tree.py"
+TREES = Installer("LIGGGHTS")
 PROGRAM = TREE / "lmp_raceway"
 PATCHED = ("finish.cpp", "utils.h", "dump_mesh_vtk.h", "dump_mesh_vtk.cpp")
-
-
-def make(what, tree):
-    """Run `make install-tree` or `make uninstall-tree` and return (exit code, output)."""
-    done = subprocess.run(
-        ["make", "-s", f"{what}-tree", f"LIGGGHTS={tree}"],
-        cwd=ROOT,
-        text=True,
-        check=False,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-    )
-    return done.returncode, done.stdout
-
-
-def contents(tree):
-    """Return all files in a tree."""
-    return {
-        str(path.relative_to(tree)): path.read_bytes()
-        for path in sorted(tree.rglob("*"))
-        if path.is_file()
-    }
 
 
 @pytest.fixture(scope="module")
@@ -56,20 +35,8 @@ def tree(upstream, tmp_path):
     return shutil.copytree(upstream, tmp_path / "liggghts")
 
 
-def refused(tree, says, what="install"):
-    """Check that the tree is rejected with a message and left unchanged."""
-    before = contents(tree)
-    code, text = make(what, tree)
-    assert code != 0 and "Refused: " in text and says in text, text
-    assert "Traceback" not in text
-    assert contents(tree) == before
-
-
 def test_in_and_out(tree):
-    before = contents(tree)
-    code, text = make("install", tree)
-    assert code == 0, text
-    after = contents(tree)
+    before, after = TREES.in_and_out(tree)
     assert {name for name in before if after[name] != before[name]} == {
         f"src/{name}" for name in PATCHED
     }
@@ -79,59 +46,55 @@ def test_in_and_out(tree):
         "src/bearing_integrator.cpp",
         "src/MAKE/Makefile.raceway",
     } <= after.keys()
-    assert not any(b'"../' in text for name, text in after.items() if name not in before)
-    refused(tree, "already contains Raceway")
-    code, text = make("uninstall", tree)
-    assert code == 0, text
-    assert contents(tree) == before
+    assert not any(b'"../' in text for name, text in after.items() if text and name not in before)
 
 
 def test_a_tree_without_it(tree):
-    refused(tree, "has no Raceway", what="uninstall")
+    TREES.refused(tree, "has no Raceway", what="uninstall")
 
 
 def test_no_tree(tmp_path):
-    refused(tmp_path, "is not a LIGGGHTS source tree")
+    TREES.refused(tmp_path, "is not a LIGGGHTS source tree")
 
 
 def test_nothing_named():
-    code, text = make("install", "")
+    code, text = TREES.make("install", "")
     assert code != 0 and "make install-tree LIGGGHTS=" in text
 
 
 def test_another_version(tree):
     (tree / "src" / "version_liggghts.txt").write_text("3.7.0\n")
-    refused(tree, "is LIGGGHTS 3.7.0; only 3.8.0 is supported")
+    TREES.refused(tree, "is LIGGGHTS 3.7.0; only 3.8.0 is supported")
 
 
 def test_patched_by_hand(tree):
     path = tree / "src" / "finish.cpp"
     path.write_text(path.read_text().replace("numneigh > 0) {", "numneigh != NULL) {"))
-    refused(tree, "finish.cpp is patched already")
+    TREES.refused(tree, "finish.cpp is patched already")
 
 
 def test_changed_where_it_must_be_patched(tree):
     path = tree / "src" / "utils.h"
     path.write_text(path.read_text().replace("std::dec << a", "a"))
-    refused(tree, "utils.h is not the file of LIGGGHTS 3.8.0")
+    TREES.refused(tree, "utils.h is not the file of LIGGGHTS 3.8.0")
 
 
 def test_a_file_in_the_way(tree):
     (tree / "src" / "film.h").write_text("// another film\n")
-    refused(tree, "film.h exists")
+    TREES.refused(tree, "film.h exists")
 
 
 def test_a_file_changed_since(tree):
-    assert make("install", tree)[0] == 0
+    assert TREES.make("install", tree)[0] == 0
     (tree / "src" / "vec3.h").write_text("// mine\n")
-    refused(tree, "changed since the installation: vec3.h", what="uninstall")
+    TREES.refused(tree, "changed since the installation: vec3.h", what="uninstall")
 
 
 def test_another_change_of_a_patched_file_is_kept(tree):
-    assert make("install", tree)[0] == 0
+    assert TREES.make("install", tree)[0] == 0
     path = tree / "src" / "finish.cpp"
     path.write_text("// mine\n" + path.read_text())
-    assert make("uninstall", tree)[0] == 0
+    assert TREES.make("uninstall", tree)[0] == 0
     assert path.read_text().startswith("// mine\n") and "numneigh > 0) {" in path.read_text()
 
 
@@ -139,11 +102,11 @@ def test_an_interrupted_installation_is_taken_out(tree):
     """If an installation is killed half-way, the files installed so far can be removed, because the
     manifest is written before any other file."""
     before = contents(tree)
-    assert make("install", tree)[0] == 0
+    assert TREES.make("install", tree)[0] == 0
     for name in ("film.h", "create_bearing.cpp"):
         (tree / "src" / name).unlink()
     (tree / "src" / "utils.h").write_bytes(before["src/utils.h"])
-    assert make("uninstall", tree)[0] == 0
+    assert TREES.make("uninstall", tree)[0] == 0
     assert contents(tree) == before
 
 
@@ -152,7 +115,7 @@ def test_a_failure_half_way_leaves_nothing(tree):
     name."""
     (tree / "src" / "finish.cpp.raceway-new").mkdir()
     (tree / "src" / "finish.cpp.raceway-new" / "x").write_text("x")
-    refused(tree, "removed again")
+    TREES.refused(tree, "removed again")
 
 
 def times(tree):
@@ -163,7 +126,7 @@ def test_patches_keep_the_times_of_files(tree):
     """The patches do not change the compiled program, so the object files of the host need not be
     rebuilt."""
     before = times(tree)
-    assert make("install", tree)[0] == 0
+    assert TREES.make("install", tree)[0] == 0
     assert times(tree) == before
 
 

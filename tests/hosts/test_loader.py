@@ -8,16 +8,16 @@ import sys
 import textwrap
 
 import pytest
-from host import FORMATS, ROOT, frames, succeed
+from host import FORMATS, ROOT, deck_file, frames, succeed
 
 
 def test_clear(tmp_path):
     """Results for the second bearing in a script, after `clear`, are bitwise identical to those for
     the first."""
-    deck = tmp_path / "in.clear"
-    deck.write_text(
+    deck = deck_file(
+        tmp_path,
         f"variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
-        f"variable out delete\nvariable out index {tmp_path}/second\ninclude tests/hosts/in.bits\n"
+        f"variable out delete\nvariable out index {tmp_path}/second\ninclude tests/hosts/in.bits\n",
     )
     succeed(deck)
     assert frames(tmp_path / "first" / "balls.dump") == frames(tmp_path / "second" / "balls.dump")
@@ -26,10 +26,10 @@ def test_clear(tmp_path):
 def test_partition(tmp_path):
     """Two partitions run two lubricants at the same time (universe variables), and the results of
     each partition are bitwise identical to those of a separate run."""
-    deck = tmp_path / "in.partition"
-    deck.write_text(
+    deck = deck_file(
+        tmp_path,
         "variable lubricant universe mineral pao48\nvariable out index"
-        f" {tmp_path}/together/${{lubricant}}\ninclude tests/hosts/in.bits\n"
+        f" {tmp_path}/together/${{lubricant}}\ninclude tests/hosts/in.bits\n",
     )
     succeed(deck, ranks=2, extra=("-partition", "2x1", "-screen", "none"))
     for oil in ("mineral", "pao48"):

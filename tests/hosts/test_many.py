@@ -13,7 +13,7 @@ import re
 import numpy as np
 import pytest
 import raceway
-from host import BOX, frames, liggghts, succeed
+from host import BOX, deck_file, frames, liggghts, succeed
 from scipy.io import netcdf_file
 
 DECK = "tests/hosts/in.many_bits"
@@ -132,8 +132,9 @@ def test_alone(scene, number, ranks, tmp_path):
 def test_table_against_the_contacts(tmp_path):
     """Sums and extremes in a row match the contact table of the ring, and its force and torque
     match the values of `fix bearing/ring`."""
-    deck = tmp_path / "in.check"
-    deck.write_text(f"""
+    deck = deck_file(
+        tmp_path,
+        f"""
 variable out index {tmp_path}
 include inputs/in.many
 compute contact balls bearing/contact ring raceway load pressure h_min lambda friction capacitance
@@ -151,7 +152,8 @@ dump table inner local 1 {tmp_path}/now.dump c_of[1] c_of[2] c_of[5] c_of[6] c_o
   c_of[10] c_of[11] c_of[12] c_of[13] c_of[16]
 dump_modify table format "%.0f %.12g %.12g %.12g %.12g %.0f %.12g %.12g %.12g %.12g %.12g"
 run 1
-""")
+""",
+    )
     outcome = succeed(deck, bearings=4, columns=2, time=4e-3)
     said = [
         float(word) for word in re.findall(r"^said (.*)$", outcome.text, flags=re.M)[-1].split()
@@ -234,9 +236,10 @@ def test_a_value_of_its_own_is_the_number(move, step, tmp_path):
         "variable": {"spin": "v_spin", "tilt": "v_tilt", "load": "v_force", "moment": "v_spin"},
     }
     for name, words in by.items():
-        deck = tmp_path / f"in.{name}"
-        deck.write_text(
-            one_ring(move=move, step=step, force="-2000.0", out=tmp_path / name, **words)
+        deck = deck_file(
+            tmp_path,
+            one_ring(move=move, step=step, force="-2000.0", out=tmp_path / name, **words),
+            f"in.{name}",
         )
         succeed(deck)
     assert frames(tmp_path / "variable") == frames(tmp_path / "number")
@@ -250,8 +253,8 @@ def test_a_value_of_its_own_is_the_number(move, step, tmp_path):
     ],
 )
 def test_a_value_that_is_no_number(force, message, tmp_path):
-    deck = tmp_path / "in.bad"
-    deck.write_text(
+    deck = deck_file(
+        tmp_path,
         one_ring(
             move="balls nve/sphere",
             step=5e-7,
@@ -261,7 +264,7 @@ def test_a_value_that_is_no_number(force, message, tmp_path):
             tilt=0,
             load="v_force",
             moment=0,
-        )
+        ),
     )
     outcome = liggghts(deck)
     assert outcome.code != 0 and message in outcome.error, outcome.text[-2000:]

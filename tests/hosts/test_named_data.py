@@ -6,7 +6,7 @@ import math
 
 import pytest
 import raceway
-from host import ROOT, run, succeed
+from host import ROOT, deck_file, run, succeed
 from raceway import catalogue, inputs
 from raceway.theory import makers
 
@@ -43,16 +43,16 @@ run 0
 
 def told(tmp_path, names, head=HEAD, **words):
     """Return a dict that maps each of `names` to the text of the deck variable b_NAME."""
-    deck = tmp_path / "in.deck"
-    deck.write_text(head + "".join(f'print "IS {name} ${{b_{name}}}"\n' for name in names))
+    deck = deck_file(
+        tmp_path, head + "".join(f'print "IS {name} ${{b_{name}}}"\n' for name in names)
+    )
     lines = succeed(deck, **words).text.splitlines()
     return dict(line.split(None, 2)[1:] for line in lines if line.startswith("IS "))
 
 
 def recorded(tmp_path, **words):
     """Return the record of a run of the scene."""
-    deck = tmp_path / "in.scene"
-    deck.write_text(SCENE)
+    deck = deck_file(tmp_path, SCENE)
     succeed(deck, out=tmp_path / "run", **words)
     return raceway.open(tmp_path / "run").tables.record
 
@@ -149,7 +149,6 @@ def test_starvation(tmp_path, rpm):
     ],
 )
 def test_refused(tmp_path, words, says):
-    deck = tmp_path / "in.scene"
-    deck.write_text(SCENE)
+    deck = deck_file(tmp_path, SCENE)
     done = run(deck, out=tmp_path / "run", **words)
     assert done.code != 0 and says in done.error, done.text[-500:]

@@ -5,9 +5,9 @@ import re
 
 import pytest
 from host import ROOT, liggghts
+from smallest import SMALLEST
 
 FILM = (ROOT / "docs" / "decks" / "in.ehd").read_text()
-SMALLEST = (ROOT / "docs" / "decks" / "in.smallest").read_text()
 RING = re.search(r"^fix inner .*\n", SMALLEST, re.MULTILINE).group()
 
 

@@ -4,7 +4,7 @@ table, and deck variables whose names have another meaning in the package."""
 
 import pytest
 import raceway
-from host import ROOT, run, succeed
+from host import ROOT, deck_file, run, succeed
 from raceway.cli import main
 
 BEARING = {
@@ -62,8 +62,7 @@ def deck(tmp_path):
     (tmp_path / "oil").write_text(words(OIL))
 
     def write(own="", text=DECK):
-        path = tmp_path / "in.own"
-        path.write_text(text.replace("OWN\n", own).replace("DIR", str(tmp_path)))
+        path = deck_file(tmp_path, text.replace("OWN\n", own).replace("DIR", str(tmp_path)))
         return path
 
     return write

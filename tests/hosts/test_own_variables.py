@@ -5,7 +5,7 @@ variables that belong to the main deck and its bearing begin with b_."""
 import re
 
 import pytest
-from host import QUICK, ROOT, succeed
+from host import QUICK, ROOT, deck_file, succeed
 
 OWN = """x y z vx vy vz fx fy fz mx my mz n every dt new half omega spin pitch skin wanted now
 format step_length capacitance settings steps row types loaded""".split()
@@ -15,11 +15,11 @@ SHORT = {**QUICK, "passes": 1, "samples": 20, "rpm": 20000, "dumps": "yes"}
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_deck_with_variables_of_its_own(tmp_path, host, integrator):
-    deck = tmp_path / "in.mine"
-    deck.write_text(
+    deck = deck_file(
+        tmp_path,
         "".join(f"variable {name} index mine_{name}\n" for name in OWN)
         + "include inputs/in.6208\n"
-        + "".join(f'print "OWN ${{{name}}}"\n' for name in OWN)
+        + "".join(f'print "OWN ${{{name}}}"\n' for name in OWN),
     )
     end = succeed(deck, host=host, out=tmp_path / "run", integrator=integrator, **SHORT)
     assert re.findall(r"^OWN (\w+)$", end.text, re.M) == [f"mine_{name}" for name in OWN]

@@ -10,7 +10,7 @@ import sys
 from importlib import metadata
 
 import pytest
-from host import HOSTS, ROOT, VENV, frames, succeed
+from host import HOSTS, ROOT, VENV, deck_file, frames, succeed
 
 PLUGIN = ROOT / "build" / "raceway_plugin.so"
 VERSION = "20250722"
@@ -153,10 +153,10 @@ def test_without_the_plugin(tmp_path):
 @pytest.mark.parametrize("path", ["", str(ROOT / "build")])
 def test_plugin_load(bits, path, tmp_path):
     """The command loads the plugin even if LAMMPS has already found it on the search path."""
-    deck = tmp_path / "in.load"
-    deck.write_text(
+    deck = deck_file(
+        tmp_path,
         f"plugin load {PLUGIN}\nvariable dump_format index 'format line'\n"
-        "include tests/hosts/in.bits\n"
+        "include tests/hosts/in.bits\n",
     )
     done = lmp(deck, tmp_path, path)
     assert done.returncode == 0, done.stdout[-2000:]

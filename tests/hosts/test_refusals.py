@@ -3,7 +3,7 @@
 the fix; all other fixes are allowed."""
 
 import pytest
-from host import BOX, run
+from host import BOX, deck_file, run
 
 BEARING = (
     BOX
@@ -58,8 +58,7 @@ FIXES = {
 
 
 def outcome(tmp_path, deck, host="liggghts", **variables):
-    file = tmp_path / "in.refused"
-    file.write_text(deck)
+    file = deck_file(tmp_path, deck)
     return run(file, host=host, **variables)
 
 

@@ -9,12 +9,13 @@ import subprocess
 from html.parser import HTMLParser
 
 import pytest
+from commands import reply
 from host import ROOT, succeed
 from raceway.cli import main
 from raceway.rows import cells
 from raceway.runs.run import Run
 from raceway.runs.statics import statics
-from raceway.runs.summary import TOPICS, shown
+from raceway.runs.summary_table import TOPICS, shown
 
 SCENE = {"passes": 1, "samples": 40, "models": "full", "load": 3e4, "clearance": 1e-5}
 TABLE = """load,lubricant,passes,samples
@@ -149,8 +150,9 @@ def test_page_of_a_sweep(sweep):
 
 
 def test_mistakes(tmp_path, capsys):
-    assert main(["report", str(tmp_path)]) == 1
-    assert "contains neither a run (run.yaml) nor a sweep" in capsys.readouterr().err
+    assert "contains neither a run (run.yaml) nor a sweep" in reply(
+        capsys, ["report", str(tmp_path)], code=1
+    )
 
 
 def test_record_without_contacts(tmp_path, capsys):

@@ -9,7 +9,7 @@ from functools import cache
 import pytest
 import yaml
 from hard.harness import CASES
-from host import ENVIRONMENT, HOSTS, ROOT, frames, succeed
+from host import ENVIRONMENT, HOSTS, ROOT, deck_file, frames, succeed
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
@@ -236,10 +236,10 @@ def test_stopped_run_goes_on(liggghts, host, tmp_path):
 def test_clear(liggghts, host, tmp_path):
     """The styles are still available after `clear`, and the results for the second bearing in a
     script equal those for the first."""
-    deck = tmp_path / "in.clear"
-    deck.write_text(
+    deck = deck_file(
+        tmp_path,
         f"{LINE}variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
-        f"variable out delete\nvariable out index {tmp_path}/second\ninclude tests/hosts/in.bits\n"
+        f"variable out delete\nvariable out index {tmp_path}/second\ninclude tests/hosts/in.bits\n",
     )
     succeed(deck, host=host)
     want, _ = liggghts("tests/hosts/in.bits", {})
@@ -249,11 +249,11 @@ def test_clear(liggghts, host, tmp_path):
 @pytest.mark.parametrize("host", LAMMPS)
 def test_partition(liggghts, host, tmp_path):
     """Two partitions run with two different lubricants at the same time."""
-    deck = tmp_path / "in.partition"
-    deck.write_text(
+    deck = deck_file(
+        tmp_path,
         f"{LINE}variable lubricant universe mineral pao48\n"
         f"variable out index {tmp_path}/${{lubricant}}\n"
-        "include tests/hosts/in.bits\n"
+        "include tests/hosts/in.bits\n",
     )
     succeed(deck, host=host, ranks=2, extra=("-partition", "2x1", "-screen", "none"))
     for oil in ("mineral", "pao48"):

@@ -4,7 +4,7 @@
 import re
 
 import pytest
-from host import BOX, ROOT, run
+from host import BOX, ROOT, deck_file, run
 from raceway import cli
 from raceway.sweeps.variable_table import rows
 
@@ -65,8 +65,7 @@ def test_range_of_young(tmp_path, words):
     data = {one["name"]: one["range"] for one in rows() if one["of"] == "bearing data"}
     ends = [float(value) for value in data["ball_young"].split()]
     for value, code in ((ends[0], 0), (ends[1], 0), (0.9 * ends[0], 1), (1.1 * ends[1], 1)):
-        deck = tmp_path / "in.young"
-        deck.write_text(BOX + words.format(value))
+        deck = deck_file(tmp_path, BOX + words.format(value))
         end = run(deck)
         assert bool(end.code) == code, end.text
         wanted = f"Young's modulus {STYLES[words]} (Pa) is {value:g}, must be from 1e+08 to 1e+13"

@@ -3,7 +3,7 @@
 run at its first finding."""
 
 import pytest
-from host import ROOT, frames, succeed
+from host import ROOT, deck_file, frames, succeed
 
 
 @pytest.mark.parametrize("lubricant", ["mineral", "dry"])
@@ -42,8 +42,7 @@ def test_main_decks(tmp_path, deck):
 def test_axial_deck(tmp_path):
     """Only the first steps after each change in the force are run."""
     text = (ROOT / "inputs" / "in.axial").read_text()
-    deck = tmp_path / "in.axial"
-    deck.write_text(text.replace("run 25000\n", "run 2500\n"))
+    deck = deck_file(tmp_path, text.replace("run 25000\n", "run 2500\n"), "in.axial")
     assert text.count("run 25000\n") == 4
     succeed(deck, sanitized=True)
 

@@ -7,7 +7,7 @@ import subprocess
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
-from host import ENVIRONMENT, HOSTS, OPEN_MPI, run
+from host import ENVIRONMENT, HOSTS, OPEN_MPI, deck_file, run
 
 OURS = {"ess_singleton_isolated": "true", "pml": "ob1", "orte_create_session_dirs": "false"}
 
@@ -15,8 +15,7 @@ OURS = {"ess_singleton_isolated": "true", "pml": "ob1", "orte_create_session_dir
 def settings(host, tmp_path, deck="", ranks=1, **environment):
     """Return a dict {name: value} of the settings that Open MPI finds in the environment when the
     host runs `deck`."""
-    path = tmp_path / "in.deck"
-    path.write_text(deck + "\n")
+    path = deck_file(tmp_path, deck + "\n")
     command = [HOSTS[host][0], "-in", path, "-log", "none", "-screen", "none"]
     done = subprocess.run(
         [*OPEN_MPI, str(ranks), *command] if ranks > 1 else command,
@@ -72,8 +71,7 @@ def test_programs_that_a_deck_starts(tmp_path):
 def test_many_starts_at_once(tmp_path):
     """Without isolation, ten of 400 starts (eight at a time) failed in MPI_Init, because processes
     that were ending removed the session folder of processes that were starting."""
-    deck = tmp_path / "in.nothing"
-    deck.write_text("units si\n")
+    deck = deck_file(tmp_path, "units si\n")
 
     def start(_):
         return run(deck).code

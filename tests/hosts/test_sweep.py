@@ -17,6 +17,7 @@ from types import SimpleNamespace
 import pandas as pd
 import pytest
 import raceway
+from commands import reply
 from host import ENVIRONMENT, ROOT, run, succeed
 from raceway.cli import main
 from raceway.runs.summary import summary
@@ -149,8 +150,7 @@ def test_shares_of_the_time(tmp_path, capsys):
     (tmp_path / "alone.csv").write_text("\n".join([head, *rows]) + "\n")
     found = []
     for table in (out / "results.csv", tmp_path / "alone.csv"):
-        assert main(["static", "--spectrum", str(table), "--json"]) == 0
-        found.append(json.loads(capsys.readouterr().out))
+        found.append(json.loads(reply(capsys, ["static", "--spectrum", str(table), "--json"])))
     lives = results["life_reference_Mrev"]
     turns = results["rpm"] * results["share"]
     assert found[0]["life_reference_Mrev"] == pytest.approx(turns.sum() / (turns / lives).sum())

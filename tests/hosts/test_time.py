@@ -3,8 +3,8 @@
 
 import numpy as np
 import pytest
-from host import BOX, run, succeed
-from recorded_runs import SMALL
+from host import BOX, deck_file, run, succeed
+from smallest import SMALLEST
 
 STEP = 1e-6
 BEARING = """
@@ -36,8 +36,7 @@ READ = "atom_style sphere\natom_modify map array sort 0 0.0\nnewton off\n"
 def end(tmp_path, host, *parts):
     """Return the time, the positions of the rings, and the position of a ball at the end of the
     deck."""
-    deck = tmp_path / "in.time"
-    deck.write_text("".join(parts) + TELL)
+    deck = deck_file(tmp_path, "".join(parts) + TELL)
     line = next(x for x in succeed(deck, host=host).text.splitlines() if x.startswith("END "))
     return np.array(line.split()[1:], float)
 
@@ -113,7 +112,7 @@ def test_a_record_has_no_gap(to, tmp_path):
     deck = tmp_path / "in.gap"
     line = f"fix rec all bearing/record 100 {tmp_path}/run\n"
     deck.write_text(
-        SMALL.replace("run 20000", f"run 1000\nreset_timestep {to}\nrun 1000").replace(
+        SMALLEST.replace("run 20000", f"run 1000\nreset_timestep {to}\nrun 1000").replace(
             "compute total", line + "compute total"
         )
     )

@@ -4,7 +4,7 @@ cage."""
 
 import numpy as np
 import pytest
-from host import BOX, run, succeed
+from host import BOX, deck_file, run, succeed
 from raceway.runs.run import Run
 from raceway.runs.settings import deck_words
 
@@ -54,8 +54,7 @@ LINES = {
 
 @pytest.mark.parametrize("line", LINES)
 def test_command(tmp_path, line):
-    deck = tmp_path / "in.deck"
-    deck.write_text(DECK.format(line))
+    deck = deck_file(tmp_path, DECK.format(line))
     assert f"IS {LINES[line]}" in succeed(deck).text
 
 

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from host import BOX, FORMATS, run, succeed
+from host import BOX, FORMATS, deck_file, run, succeed
 from raceway import core
 
 HOSTS = pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
@@ -16,12 +16,6 @@ pair_coeff 1 4 outer 36.6e-3 6.552e-3
 pair_coeff 1 2 sphere 210e9 0.3 3.3e9 0.41
 """
 CREATE = "create_bearing 1 2 3 4 balls 9 diameter 12.6e-3 cage 8.38e-3 speed 50 0"
-GROUPS = """group balls type 1
-group cage type 2
-group inner type 3
-group outer type 4
-group moving type 1 2
-"""
 MOVE = """fix rails cage bearing/cage 4
 fix move all bearing/implicit
 fix inner inner bearing/ring mass 0.2 x free y free spin speed 50 force 300 -400 0 ramp 1e-3
@@ -46,8 +40,7 @@ COUNT = "".join(
 
 @HOSTS
 def test_groups(tmp_path, host):
-    deck = tmp_path / "in.groups"
-    deck.write_text(BOX + RACEWAYS + CREATE + " groups yes\n" + COUNT)
+    deck = deck_file(tmp_path, BOX + RACEWAYS + CREATE + " groups yes\n" + COUNT)
     found = dict(re.findall(r"^COUNT (\w+) (\d+)$", succeed(deck, host=host).text, re.M))
     assert found == {"balls": "9", "cage": "9", "inner": "1", "outer": "1", "moving": "18"}
     # several bearings share the groups
@@ -147,8 +140,11 @@ def test_dump(tmp_path, host):
         for word, meaning in words.items():
             new, more = new.replace(word, meaning), more.replace(word, more_words[word])
         end = "run 4\nundump contacts\nunfix rings\n"
-        deck = tmp_path / f"in.{name}"
-        deck.write_text((first + new + end + more + end).replace("OUT", str(tmp_path / name)))
+        deck = deck_file(
+            tmp_path,
+            (first + new + end + more + end).replace("OUT", str(tmp_path / name)),
+            f"in.{name}",
+        )
         said[name] = succeed(deck, host=host).text
     assert re.findall(r"^NAMES (.*)$", said["once"], re.M) == ["ball load"] * 2
     for kind in ("contacts", "rings"):
@@ -182,8 +178,7 @@ def test_dump_refused(tmp_path, words, says):
     ],
 )
 def test_create_refused(tmp_path, words, says):
-    deck = tmp_path / "in.bad"
-    deck.write_text(f"{BOX}{RACEWAYS}{CREATE} {words}\n")
+    deck = deck_file(tmp_path, f"{BOX}{RACEWAYS}{CREATE} {words}\n", "in.bad")
     done = run(deck)
     assert done.code != 0 and "create_bearing" in done.error and says in done.error, done.error
 
@@ -218,8 +213,9 @@ def test_balance_of_a_resumed_run(tmp_path):
         (begin, "", 20),
         (again, "resume yes", 20),
     ):
-        deck = tmp_path / "in.part"
-        deck.write_text(f'{first}{MOVE}{keep}{words}\nrun {steps}\nprint "IS $(f_keep)"\n')
+        deck = deck_file(
+            tmp_path, f'{first}{MOVE}{keep}{words}\nrun {steps}\nprint "IS $(f_keep)"\n'
+        )
         said += re.findall(r"^IS (.*)$", succeed(deck).text, re.M)
     whole, half, resumed = said
     assert whole == resumed != half

@@ -4,9 +4,9 @@ M)."""
 
 import numpy as np
 import pytest
-from host import BOX, liggghts, succeed
+from bearings import B6208
+from host import BOX, deck_file, liggghts, succeed
 from raceway import capacitance, hertz
-from raceway.theory.bearing import Bearing
 
 CASE = "tests/implicit/in.case"
 PERMITTIVITY, BACKGROUND = 2.25, 5e-12
@@ -82,7 +82,7 @@ def test_columns(tmp_path):
     row. Totals, largest values, numbers of active balls and the values for a step agree with the
     rows."""
     rows, totals, now = sampled(tmp_path / "run", 5, sample=4e-4, samples=8, inner=RADIAL)
-    bearing = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+    bearing = B6208
     for side in (0, 1):
         step, time, ball, _, load, h_c, found = rows[rows[:, 3] == side].T
         ellipse = hertz.exact(*bearing.effective_radii(side))
@@ -169,7 +169,6 @@ timestep 1.0e-5
     ids=["N", "range", "verlet", "two wishes", "file"],
 )
 def test_mistakes_are_named(fixes, message, tmp_path):
-    deck = tmp_path / "in.mistake"
-    deck.write_text(BOX + FILM + fixes + "\nrun 1\n")
+    deck = deck_file(tmp_path, BOX + FILM + fixes + "\nrun 1\n")
     outcome = liggghts(deck, timeout=60)
     assert outcome.code != 0 and message in outcome.error, outcome.text[-2000:]

@@ -3,14 +3,12 @@
 differences, solvers with numpy, and a single ring with scipy; frames rotate with the balls."""
 
 import subprocess
-from pathlib import Path
 
 import numpy as np
 import pytest
 import scipy.integrate
+from host import ROOT
 from raceway.core.exports import Library
-
-ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture(scope="module")

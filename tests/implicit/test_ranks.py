@@ -10,7 +10,7 @@ moves to another rank.
 import re
 
 import pytest
-from host import BOX, ROOT, frames, liggghts, succeed
+from host import BOX, ROOT, deck_file, frames, liggghts, succeed
 
 DECK = "tests/implicit/in.ranks"
 TWO = {"bearings": 2, "xhi": 0.18}
@@ -189,8 +189,11 @@ def test_a_fixed_housing_is_the_ground(tmp_path):
         ("ground", held.replace(" to housing", "")),
         ("housing", held + "fix housing housing bearing/ring\n"),
     ):
-        deck = tmp_path / f"in.{name}"
-        deck.write_text(text.replace("include tests/hosts/bits.housing.${housing}", words))
+        deck = deck_file(
+            tmp_path,
+            text.replace("include tests/hosts/bits.housing.${housing}", words),
+            f"in.{name}",
+        )
         succeed(deck, out=tmp_path / name, housing=int(name == "housing"))
     ground, housing = (frames(tmp_path / name / "balls.dump") for name in ("ground", "housing"))
     assert ground == {
@@ -266,19 +269,18 @@ timestep 1.0e-5
 )
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_mistakes_are_named(ranks, fixes, message, tmp_path):
-    deck = tmp_path / "in.mistake"
-    deck.write_text(BEARINGS + fixes + "\nrun 1\n")
+    deck = deck_file(tmp_path, BEARINGS + fixes + "\nrun 1\n")
     outcome = liggghts(deck, ranks=ranks, timeout=60)
     assert outcome.code != 0 and message in outcome.error, outcome.text[-2000:]
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_impossible_load_stops_all_ranks(ranks, tmp_path):
-    deck = tmp_path / "in.stop"
-    deck.write_text(
+    deck = deck_file(
+        tmp_path,
         BEARINGS
         + "fix a both bearing/implicit\nfix r inner bearing/ring mass 0.2 x free force 1e9 0 0\n"
-        "run 10\n"
+        "run 10\n",
     )
     outcome = liggghts(deck, ranks=ranks, timeout=60)
     assert outcome.code != 0 and "no solution with substeps down to" in outcome.error, outcome.text[

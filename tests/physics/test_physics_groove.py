@@ -5,9 +5,9 @@ bodies."""
 import mpmath
 import numpy as np
 import pytest
+from bearings import B6208
 from contact_reference import DIGITS, Reference
 from physics_c import BALL, INNER, OUTER, PITCH
-from raceway.theory.bearing import Bearing
 from raceway.theory.clearance import free_contact_angle, free_endplay, groove_distance
 from scipy.optimize import minimize, minimize_scalar
 
@@ -103,7 +103,7 @@ def test_free_contact_angle_and_endplay(physics):
     # eqs A.2-A.4: the inner ring is at its axial stop, and the centre of the ball is on the line
     # through the groove centres
     clearance = 20e-6
-    bearing = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+    bearing = B6208
     angle, endplay = free_contact_angle(bearing, clearance), free_endplay(bearing, clearance)
     inner, outer = physics.raceway_6208(INNER, clearance), physics.raceway_6208(OUTER, clearance)
     centres = {

@@ -3,11 +3,9 @@
 
 import numpy as np
 import pytest
+from bearings import B6208
 from physics_c import BALL, PITCH
-from raceway.theory.bearing import Bearing
 from raceway.theory.kinematics import frequencies
-
-SIX_TWO_0_8 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 
 
 @pytest.mark.parametrize("inner, outer", [(50.0, 0.0), (0.0, 50.0), (120.0, -70.0), (-30.0, -30.0)])
@@ -35,7 +33,7 @@ def test_frequencies_of_the_6208(
         abs(motion.spin - motion.orbit),
     ]
     assert found == pytest.approx([0.39604, 3.5644, 5.4356, 2.3008], abs=5e-5)
-    assert found == pytest.approx(list(frequencies(SIX_TWO_0_8)), rel=1e-13)
+    assert found == pytest.approx(list(frequencies(B6208)), rel=1e-13)
 
 
 def test_entrainment_of_the_errata(physics):  # 477.5 rpm gives 0.725 m/s, 0.41 m/s is 270 rpm

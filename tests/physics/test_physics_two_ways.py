@@ -13,6 +13,7 @@ import itertools
 import mpmath
 import numpy as np
 import pytest
+from bearings import B6208
 from physics_c import HAMROCK_DOWSON, INNER, MASJEDI, MASJEDI_PRINTED, OUTER
 from raceway import capacitance, film, hertz
 from raceway.core import laws
@@ -22,7 +23,7 @@ from references import hertz as reference
 
 STEEL = 210e9 / (1 - 0.3**2)
 BEARINGS = {
-    "6208": Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3),
+    "6208": B6208,
     "harris 209": Bearing(9, 12.7e-3, 26.15e-3, 38.85e-3, 6.604e-3, 6.604e-3),
     "conformity 0.505": Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.363e-3, 6.363e-3),
     "nearly spherical": Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 1.0, 1.0),

@@ -5,12 +5,13 @@ import shutil
 
 import pytest
 import synthetic
+from bearings import B6208
 
 
 @pytest.fixture(scope="session")
 def bearing():
     """Return the 6208 bearing of the paper."""
-    return synthetic.DEEP_GROOVE
+    return B6208
 
 
 @pytest.fixture(scope="session")

@@ -6,18 +6,10 @@ import re
 
 import netCDF4
 import numpy as np
+from bearings import B6208
 from raceway import capacitance, columns, core, film, hertz, kinematics, static
-from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.bearing import INNER, OUTER
 
-# the paper's 6208
-DEEP_GROOVE = Bearing(
-    balls=9,
-    ball_diameter=12.6e-3,
-    inner_radius=24e-3,
-    outer_radius=36.6e-3,
-    inner_groove=6.552e-3,
-    outer_groove=6.552e-3,
-)
 MECHANICAL = (
     "ball ring raceway azimuth angle overlap load normal damping a b pressure "
     "entrainment sliding mu friction friction_power damping_power"
@@ -42,7 +34,7 @@ def run(
     load_azimuth=-np.pi / 2,
     passes=2,
     samples_per_pass=24,
-    bearing=DEEP_GROOVE,
+    bearing=B6208,
 ):
     """Return a run as plain data: `settings`, `contacts` and `balls` with one frame per sample, and
     `rings` with one row per sample."""

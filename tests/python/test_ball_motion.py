@@ -4,12 +4,13 @@ of the power loss with linear programming."""
 
 import numpy as np
 import pytest
+from bearings import B6208
 from raceway import ball_motion, catalogue, friction_torque, hertz, inputs, lubrication, static
-from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.bearing import INNER, OUTER
 from scipy.optimize import linprog
 
 ANGLE, RING = np.radians(35), 200.0
-FOUR = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3).four_point(ANGLE)
+FOUR = B6208.four_point(ANGLE)
 SIDES = np.array([INNER, INNER, OUTER, OUTER])
 ANGLES = np.array([-ANGLE, ANGLE, ANGLE, -ANGLE])
 R, PITCH = FOUR.ball_radius, FOUR.pitch_radius

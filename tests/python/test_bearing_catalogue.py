@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from host import ROOT
 from raceway import data_table, inputs, listing, load_rating, static
 
-ROOT = Path(__file__).resolve().parents[2]
 BEARINGS = ROOT / "inputs" / "bearings"
 NAMES = data_table.names(BEARINGS)
 RATED = [name for name in NAMES if name not in ("7208", "harris209")]

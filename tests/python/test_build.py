@@ -5,11 +5,9 @@ sources share compilation units, and goals of one call do not write the same fil
 import itertools
 import re
 import subprocess
-from pathlib import Path
 
 import pytest
-
-ROOT = Path(__file__).resolve().parents[2]
+from host import ROOT
 
 
 def plan(*words):

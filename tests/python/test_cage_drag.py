@@ -7,9 +7,9 @@ import math
 from dataclasses import replace
 
 import pytest
+from commands import reply
 from host import ROOT
 from raceway import inputs
-from raceway.cli import main
 from raceway.sweeps import heat_runs
 from raceway.theory import cage_drag, kinematics
 from raceway.theory.lubricant import Fluid
@@ -83,8 +83,7 @@ def test_cage_of_the_commands(capsys, monkeypatch):
     words = ["--load", "1000", "--rpm", "9549", "--lubricant", "vg32", "--json"]
 
     def found(command, *more):
-        assert main([command, *words, *more]) == 0
-        return json.loads(capsys.readouterr().out)
+        return json.loads(reply(capsys, [command, *words, *more]))
 
     cages = ["--cage", "chain"], ["--cage", "ring"], []
     losses = [found("static", *more)["losses_W"].get("cage", 0) for more in cages]

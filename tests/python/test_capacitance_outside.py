@@ -3,15 +3,14 @@
 published values, and closed-form expressions are compared with the integrals."""
 
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
+from host import ROOT
 from raceway import capacitance, capacitance_exact, capacitance_outside, groove_width, hertz
 from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.groove_width import HalfWidths
 
-ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/bench"))
 import capacitance_error  # noqa: E402  the module is not in a package
 

@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import raceway
+from commands import reply
 from PIL import Image
 from raceway.cli import main
 from raceway.electric import circuit, circuit_figures
@@ -88,8 +89,9 @@ def test_films_at_the_floor(folder):
 def test_files(folder, tmp_path, capsys):
     out = tmp_path / "circuit"
     words = ["--source", "1e7", "--constant", "20", "--strength", "30e6", "--surfaces", "smooth"]
-    assert main(["circuit", str(folder), *words, "--out", str(out)]) == 0
-    assert capsys.readouterr().out.startswith("Time\n  simulated")
+    assert reply(capsys, ["circuit", str(folder), *words, "--out", str(out)]).startswith(
+        "Time\n  simulated"
+    )
     result = circuit.run(
         raceway.open(folder), Source(Constant(20.0), 1e7), Breakdown(30e6, "smooth")
     )
@@ -131,5 +133,6 @@ def test_bad_command_line(folder, capsys, words, message):
 
 def test_a_table_that_is_none(folder, tmp_path, capsys):
     path = tmp_path / "none.txt"
-    assert main(["circuit", str(folder), "--source", "1", "--table", str(path)]) == 1
-    assert f"{path} is not a table of seconds and volts" in capsys.readouterr().err
+    assert f"{path} is not a table of seconds and volts" in reply(
+        capsys, ["circuit", str(folder), "--source", "1", "--table", str(path)], code=1
+    )

@@ -12,10 +12,12 @@ from pathlib import Path
 
 import pytest
 import raceway
+from commands import reply
 from raceway.cli import _parser, main
 from raceway.commands import GROUPS
 from raceway.runs.statics import statics
-from raceway.runs.summary import summary, table
+from raceway.runs.summary import summary
+from raceway.runs.summary_table import table
 from raceway.runs.tables import RunTables
 
 
@@ -62,10 +64,7 @@ def test_unusable_run(folder, capsys, command):
     "arguments", [["sumary", "x"], ["summary"], ["plot", "x", "--output", "y"]]
 )
 def test_wrong_command_line(arguments, capsys):
-    with pytest.raises(SystemExit) as stop:
-        main(arguments)
-    assert stop.value.code == 2
-    assert "usage: raceway" in capsys.readouterr().err
+    assert "usage: raceway" in reply(capsys, arguments, code=2)
 
 
 @pytest.mark.parametrize(
@@ -81,10 +80,7 @@ def test_wrong_command_line(arguments, capsys):
     ],
 )
 def test_a_wrong_word_names_the_nearest(arguments, said, capsys):
-    with pytest.raises(SystemExit) as stop:
-        main(arguments)
-    assert stop.value.code == 2
-    assert said in capsys.readouterr().err
+    assert said in reply(capsys, arguments, code=2)
 
 
 def test_alone_it_prints_the_commands_by_group(capsys):

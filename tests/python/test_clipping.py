@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 import pytest
-from raceway.cli import main
+from commands import reply
 from raceway.recordings import clipping
 from scipy import signal, special
 
@@ -80,11 +80,9 @@ def test_command(tmp_path, capsys):
     np.savez(tmp_path / "a.npz", good=signal, bad=cut)
     words = ["measured", str(tmp_path / "a.npz"), "--bearing", "6205", "--rate", "12000"]
     words += ["--rpm", "1797"]
-    assert main([*words, "--json"]) == 0
-    said = json.loads(capsys.readouterr().out)
+    said = json.loads(reply(capsys, [*words, "--json"]))
     good, bad = (one["clipped_share"] for one in said["channels"])
     assert good == 0 and bad == pytest.approx(0.02, rel=1e-3)
     (warning,) = said["warnings"]
     assert warning.startswith("bad is clipped: 0.02 of its values are at a limit of the recorder")
-    assert main(words) == 0
-    assert f"Warnings\n  {warning}\n" in capsys.readouterr().out
+    assert f"Warnings\n  {warning}\n" in reply(capsys, words)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import raceway
 import synthetic
+from commands import reply
 from raceway import compare, kinematics, recording, sensor, spectrum
 from raceway.cli import main
 from raceway.errors import RunError
@@ -82,6 +83,5 @@ def test_command(tmp_path, run, capsys):
     assert main([*words, "--out", str(tmp_path / "both.png")]) == 0
     assert (tmp_path / "both.png").stat().st_size > 10_000
     assert "BPFO x3" in capsys.readouterr().out
-    assert main([*words, "--json"]) == 0
-    said = json.loads(capsys.readouterr().out)
+    said = json.loads(reply(capsys, [*words, "--json"]))
     assert said["run"]["rms"] == pytest.approx(said["recording"]["rms"], rel=1e-9)

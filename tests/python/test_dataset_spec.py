@@ -5,7 +5,7 @@ rejected."""
 import numpy as np
 import pytest
 import yaml
-from raceway.cli import main
+from commands import reply
 from raceway.datasets.spec import SpecError, azimuth, read_spec, records
 from raceway.sweeps.points import deck_variables
 from test_packaging import ROOT
@@ -87,8 +87,9 @@ def test_examples_can_be_used(capsys):
     for name, count in (("small", 4), ("spalls", 40), ("classes", 40), ("classes_elsewhere", 14)):
         path = ROOT / f"inputs/datasets/{name}.yaml"
         assert len(records(read_spec(path, KNOWN))) == count
-        assert main(["dataset", str(path), "--deck", str(ROOT / "inputs/in.6208"), "--check"]) == 0
-        assert f"{count} records" in capsys.readouterr().out
+        assert f"{count} records" in reply(
+            capsys, ["dataset", str(path), "--deck", str(ROOT / "inputs/in.6208"), "--check"]
+        )
 
 
 @pytest.mark.parametrize(
@@ -130,7 +131,13 @@ def test_mistakes(tmp_path, data, says):
 
 
 def test_commands_without_a_folder(capsys):
-    with pytest.raises(SystemExit):
-        main(["dataset", str(ROOT / "inputs/datasets/small.yaml"), "--deck",
-              str(ROOT / "inputs/in.6208")])  # fmt: skip
-    assert "give a folder for the data set with --out" in capsys.readouterr().err
+    assert "give a folder for the data set with --out" in reply(
+        capsys,
+        [
+            "dataset",
+            str(ROOT / "inputs/datasets/small.yaml"),
+            "--deck",
+            str(ROOT / "inputs/in.6208"),
+        ],
+        code=2,
+    )

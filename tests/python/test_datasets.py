@@ -10,8 +10,6 @@ from raceway import columns
 from raceway.errors import RunError
 from raceway.runs.summary import summary
 
-SIDE = {"inner": 0, "outer": 1}
-
 
 def test_contacts(folder, lubricated):
     data = raceway.open(folder).contacts

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """`raceway decks` copies every file that it lists, and never overwrites a user's file."""
 
-from pathlib import Path
-
 import pytest
+from commands import reply
+from host import ROOT
 from raceway import catalogue, decks, inputs
 from raceway.cli import main
-
-ROOT = Path(__file__).resolve().parents[2]
 
 
 def test_a_deck_comes_with_all_that_it_reads(tmp_path, capsys, monkeypatch):
@@ -20,8 +18,7 @@ def test_a_deck_comes_with_all_that_it_reads(tmp_path, capsys, monkeypatch):
     )
     monkeypatch.chdir(tmp_path)
     assert catalogue.folder() == tmp_path / "inputs"
-    assert main(["decks", "in.6208"]) == 0
-    assert "in.6208: already exists" in capsys.readouterr().out
+    assert "in.6208: already exists" in reply(capsys, ["decks", "in.6208"])
 
 
 @pytest.mark.parametrize("name", ["6205", "7205B", "vg46"])
@@ -35,15 +32,16 @@ def test_a_file_of_the_user_stays(tmp_path, capsys):
     mine = tmp_path / "inputs" / "bearings" / "6208"
     mine.parent.mkdir(parents=True)
     mine.write_text("mine\n")
-    assert main(["decks", "in.6208", "--to", str(tmp_path)]) == 1
-    assert f"{mine} exists with different text" in capsys.readouterr().err
+    assert f"{mine} exists with different text" in reply(
+        capsys, ["decks", "in.6208", "--to", str(tmp_path)], code=1
+    )
     assert mine.read_text() == "mine\n" and not (tmp_path / "in.6208").exists()
 
 
 def test_the_list_has_every_name(capsys):
-    assert main(["decks"]) == 0
-    said = capsys.readouterr().out
+    said = reply(capsys, ["decks"])
     assert all(name in said for name in [*decks.decks(), *decks.lubricants()])
     assert f"Bearings: {len(decks.bearings())}," in said
-    assert main(["decks", "in.6207"]) == 1
-    assert "there is no deck, bearing or lubricant 'in.6207'" in capsys.readouterr().err
+    assert "there is no deck, bearing or lubricant 'in.6207'" in reply(
+        capsys, ["decks", "in.6207"], code=1
+    )

@@ -5,10 +5,11 @@ statics, films inferred from measured values, pictures, messages and exit codes.
 import csv
 import json
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
+from commands import reply
+from host import ROOT
 from PIL import Image
 from raceway import electric_point, film_reading, film_voltage, operating_point
 from raceway.cli import main
@@ -17,12 +18,7 @@ from raceway.theory.capacitors import Filling
 from raceway.theory.electric_point import Ask
 from raceway.theory.validity import Shoulders
 
-ROOT = Path(__file__).resolve().parents[2]
-
-
-@pytest.fixture(autouse=True)
-def in_the_tree(monkeypatch):
-    monkeypatch.chdir(ROOT)
+pytestmark = pytest.mark.usefixtures("in_the_tree")
 
 
 @pytest.fixture(scope="module")
@@ -31,8 +27,7 @@ def point():
 
 
 def printed(capsys, *arguments):
-    assert main(["electric", *arguments]) == 0
-    return capsys.readouterr().out
+    return reply(capsys, ["electric", *arguments])
 
 
 GROOVES = [{}, {"four_point": math.radians(35)}, {"double_row": DoubleRow(20e-3, 5e-6)}]

@@ -7,6 +7,7 @@ import json
 import numpy as np
 import pytest
 import raceway
+from commands import reply
 from PIL import Image
 from raceway import film_figures, film_table, film_voltage, whole_capacitance
 from raceway.cli import main
@@ -18,8 +19,7 @@ ASK = Ask(voltage=5.0, frequency=1e4, resistivity=1e9, motor=(50e-12, 1e-9))
 
 
 def printed(capsys, *arguments):
-    assert main(["electric", *map(str, arguments)]) == 0
-    return capsys.readouterr().out
+    return reply(capsys, ["electric", *map(str, arguments)])
 
 
 def test_figures(folder, capsys):
@@ -116,5 +116,4 @@ def test_messages(folder, capsys, arguments, code, message):
 
 
 def test_a_dry_run_has_none(dry_folder, capsys):
-    assert main(["electric", str(dry_folder)]) == 1
-    assert "capacitance" in capsys.readouterr().err
+    assert "capacitance" in reply(capsys, ["electric", str(dry_folder)], code=1)

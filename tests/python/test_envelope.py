@@ -9,8 +9,8 @@ import pytest
 import raceway
 import synthetic
 import xarray as xr
+from commands import reply
 from raceway import envelope, kinematics, spectrum
-from raceway.cli import main
 from raceway.errors import RunError
 
 RATE = 48e3
@@ -127,12 +127,10 @@ def test_of_a_run(struck):
 
 def test_command(struck, capsys, tmp_path):
     words = ["spectrum", str(struck), "--signal", "y", "--envelope"]
-    assert main([*words, "--out", str(tmp_path / "x.png")]) == 0
-    said = capsys.readouterr().out.splitlines()
+    said = reply(capsys, [*words, "--out", str(tmp_path / "x.png")]).splitlines()
     assert said[0].startswith("envelope of: ") and said[1].startswith("band ")
     assert (tmp_path / "x.png").stat().st_size > 10_000
-    assert main([*words, "--json"]) == 0
-    assert "BPFI-shaft" in {line["name"] for line in json.loads(capsys.readouterr().out)}
-    with pytest.raises(SystemExit):
-        main(["spectrum", str(struck), "--band", "10", "20"])
-    assert "--band applies to an envelope" in capsys.readouterr().err
+    assert "BPFI-shaft" in {line["name"] for line in json.loads(reply(capsys, [*words, "--json"]))}
+    assert "--band applies to an envelope" in reply(
+        capsys, ["spectrum", str(struck), "--band", "10", "20"], code=2
+    )

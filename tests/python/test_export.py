@@ -8,6 +8,7 @@ import xml.etree.ElementTree as ElementTree
 import meshio
 import numpy as np
 import pytest
+from commands import reply
 from raceway import capacitance
 from raceway.cli import main
 from raceway.export import groove, ovito, paraview, particles
@@ -165,9 +166,9 @@ def test_command(folder, capsys, format, name):
 
 def test_complaints(folder, tmp_path, capsys):
     (tmp_path / "file").write_text("")
-    assert main(["export", str(folder), "--format", "vtk", "--out", str(tmp_path / "file")]) == 1
-    assert "cannot make the folder" in capsys.readouterr().err
+    assert "cannot make the folder" in reply(
+        capsys, ["export", str(folder), "--format", "vtk", "--out", str(tmp_path / "file")], code=1
+    )
     (folder / "record.nc").write_text("nonsense\n")
-    assert main(["export", str(folder), "--format", "xyz"]) == 1
-    assert "record.nc" in capsys.readouterr().err
+    assert "record.nc" in reply(capsys, ["export", str(folder), "--format", "xyz"], code=1)
     assert not (folder / "xyz" / "bearing.xyz").exists()

@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The page of each fix lists all elements of its vectors, as defined in the C++ tables."""
 
-from pathlib import Path
-
 import pytest
+from host import ROOT
 from raceway import core
 
-ROOT = Path(__file__).resolve().parents[2]
 TABLES = core.table("columns")
 FIXES = sorted(name for name in TABLES if name.startswith("fix_"))
 

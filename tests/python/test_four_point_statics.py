@@ -8,6 +8,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from commands import reply
+from host import ROOT
 from raceway import (
     catalogue,
     inputs,
@@ -24,7 +26,6 @@ from raceway.theory.beam import Section, Steel
 from raceway.theory.bearing import DoubleRow, Layout
 from raceway.theory.small_motion import response
 
-ROOT = Path(__file__).resolve().parents[2]
 ANGLE, PLAY, RPM = np.radians(35), 20e-6, 1000.0
 OF_6208 = inputs.bearing(ROOT / "inputs/bearings/6208")
 OIL = inputs.oil(ROOT / "inputs/lubricants/mineral")
@@ -156,13 +157,11 @@ def test_ellipse_over_the_middle(stated):
 def test_command(capsys, monkeypatch):
     monkeypatch.chdir(ROOT)
     arguments = ["static", "--axial", "1000", "--four-point", "35"]
-    assert main(arguments) == 0
-    text = capsys.readouterr().out
+    text = reply(capsys, arguments)
     assert "four-point contact angle                  35 °" in text
     rows = text.split("\nBalls\n")[1].splitlines()
     assert len(rows) == 19 and len({len(row) for row in rows}) == 1
-    assert main([*arguments, "--json"]) == 0
-    contacts = json.loads(capsys.readouterr().out)["balls"][0]["contacts"]
+    contacts = json.loads(reply(capsys, [*arguments, "--json"]))["balls"][0]["contacts"]
     assert [one["raceway"] for one in contacts] == ["inner 0", "inner 1", "outer 0", "outer 1"]
 
 
@@ -178,9 +177,7 @@ def test_command(capsys, monkeypatch):
     ],
 )
 def test_wrong_command_line(capsys, arguments, said):
-    with pytest.raises(SystemExit):
-        main(["static", "--axial", "100", *arguments])
-    assert said in capsys.readouterr().err
+    assert said in reply(capsys, ["static", "--axial", "100", *arguments], code=2)
 
 
 def test_bad_files(stated):
@@ -247,8 +244,7 @@ def test_heat_command(capsys, monkeypatch):
     monkeypatch.chdir(ROOT)
     arguments = ["--bearing", "7208", "--double-row", "0.018", "--preload", "5e-6", "--load", "500"]
     cooling = ["--nodes", "1", "1", "1", "--rpm", "1000", "--json"]
-    assert main(["heat", *arguments, *cooling]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = json.loads(reply(capsys, ["heat", *arguments, *cooling]))
     rises = [found[f"temperature_{part}_C"] - 20 for part in ("inner", "outer")]
     assert sum(rises) == pytest.approx(found["power_loss_W"], rel=5e-3)
     with pytest.raises(SystemExit):

@@ -3,10 +3,9 @@
 the spin part with its closed-form solution. Limits and statics with the film in the gap are tested
 too."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from host import ROOT
 from raceway import friction_torque, inputs, lubricant, makers, traction
 from raceway.theory import attitude, skidding
 from raceway.theory.contact_law import FilmInGap
@@ -15,7 +14,6 @@ from raceway.theory.lubrication import lubricate, turning
 from raceway.theory.operating_point import figures
 from raceway.theory.static import equilibrium
 
-ROOT = Path(__file__).resolve().parents[2]
 OIL = ROOT / "inputs/lubricants/mineral"
 BOUNDARY = makers.Boundary(40.0, 80.0, 18.0, "62", 19e3)
 FLUID = inputs.fluid(OIL)

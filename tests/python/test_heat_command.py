@@ -4,22 +4,18 @@
 import json
 import re
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
+from commands import reply
+from host import ROOT
 from raceway import film, friction_torque, heat, heat_scene, hertz, inputs, steady_heat
 from raceway.cli import main
 from raceway.core import laws
 from raceway.errors import NoEquilibrium
 from raceway.theory.bearing import INNER, DoubleRow
 
-ROOT = Path(__file__).resolve().parents[2]
-
-
-@pytest.fixture(autouse=True)
-def in_the_tree(monkeypatch):
-    monkeypatch.chdir(ROOT)
+pytestmark = pytest.mark.usefixtures("in_the_tree")
 
 
 def scene(load=5000.0, rpm=1910.0, oil="vg46", **laws):
@@ -100,29 +96,26 @@ def test_no_steady_state():
 def test_lines_of_several_points_name_their_axial_load(capsys, command):
     """Without an axial load the tables of heat and electric have no such column."""
     words = [command, "--load", "900", "--rpm", "2000", "--lubricant", "vg46", "--axial"]
-    assert main([*words, "100", "300"]) == 0
-    head, *rows = capsys.readouterr().out.splitlines()
+    head, *rows = reply(capsys, [*words, "100", "300"]).splitlines()
     assert head.split("  ")[:2] == ["load N", "axial N"]
     assert [row.split()[:2] for row in rows[:2]] == [["900", "100"], ["900", "300"]]
-    assert main([*words, "0", "--clearance", "0", "20um"]) == 0
-    head = capsys.readouterr().out.splitlines()[0]
+    head = reply(capsys, [*words, "0", "--clearance", "0", "20um"]).splitlines()[0]
     assert ("axial N" in head) == (command == "static")
     assert ("cold P_d" in head) == (command == "heat")
 
 
 def test_command(capsys):
-    assert main(["heat", "--load", "5000", "--rpm", "1910", "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = json.loads(reply(capsys, ["heat", "--load", "5000", "--rpm", "1910", "--json"]))
     assert found["conductance_W_K"] == pytest.approx(2.17, abs=0.005)
     assert found["power_loss_W"] == pytest.approx(
         found["conductance_W_K"] * (found["temperature_C"] - 20), abs=0.05
     )
     assert found["reference_speed_rpm"] == pytest.approx(18000, rel=0.3)
-    assert main(["heat", "--load", "500", "5000", "--rpm", "1000", "--json"]) == 0
-    cold, hot = json.loads(capsys.readouterr().out)
+    cold, hot = json.loads(
+        reply(capsys, ["heat", "--load", "500", "5000", "--rpm", "1000", "--json"])
+    )
     assert hot["temperature_C"] > cold["temperature_C"]
-    assert main(["heat", "--load", "500", "--rpm", "500", "1000"]) == 0
-    assert len(capsys.readouterr().out.splitlines()) == 3
+    assert len(reply(capsys, ["heat", "--load", "500", "--rpm", "500", "1000"]).splitlines()) == 3
 
 
 @pytest.mark.parametrize(
@@ -160,8 +153,9 @@ def test_a_word_for_a_number_names_its_variable(capsys, tmp_path, name):
     text = (ROOT / "inputs/bearings/6208").read_text()
     words = re.sub(rf"^(variable {name} +index) \S+", r"\1 quick", text, flags=re.M)
     (tmp_path / "mine").write_text(words)
-    assert main(["heat", "--bearing", str(tmp_path / "mine"), "--load", "9", "--rpm", "900"]) == 1
-    assert f"mine: {name} = quick is not a number" in capsys.readouterr().err
+    assert f"mine: {name} = quick is not a number" in reply(
+        capsys, ["heat", "--bearing", str(tmp_path / "mine"), "--load", "9", "--rpm", "900"], code=1
+    )
 
 
 @pytest.mark.parametrize("spacing", [18e-3, 12.5e-3])

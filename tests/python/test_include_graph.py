@@ -5,8 +5,8 @@ import sys
 from pathlib import Path
 
 import pytest
+from host import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
 import include_graph  # noqa: E402  the module is not in a package
 

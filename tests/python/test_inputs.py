@@ -2,13 +2,11 @@
 """Tests of the data files for decks."""
 
 import math
-from pathlib import Path
 
 import pytest
+from host import ROOT
 from raceway import catalogue, inputs
 from raceway.theory.bearing import INNER, OUTER
-
-ROOT = Path(__file__).resolve().parents[2]
 
 
 def test_values(tmp_path):

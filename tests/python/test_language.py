@@ -6,9 +6,9 @@ import csv
 import importlib.util
 import re
 import subprocess
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+from host import ROOT
+
 PHRASES = (
     "could not be" + " had",
     "held" + " against",

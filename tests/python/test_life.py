@@ -6,13 +6,12 @@ import json
 
 import numpy as np
 import pytest
+from bearings import B6208
 from host import ROOT
 from raceway import cli, inputs
 from raceway.theory import cleanliness, life, static
-from raceway.theory.bearing import Bearing
 from raceway.theory.equivalent_load import equivalent
 
-B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 C = 32.5e3
 
 

@@ -2,15 +2,13 @@
 """Properties of oils as functions of temperature and pressure are compared with published values
 and with the values in the deck, and their slopes are compared with finite differences."""
 
-from pathlib import Path
-
 import mpmath
 import numpy as np
 import pytest
+from host import ROOT
 from raceway import inputs, lubricant
 from references import friction
 
-ROOT = Path(__file__).resolve().parents[2]
 OILS = ROOT / "inputs/lubricants"
 PHYSICAL = ["vg32", "vg46", "vg68", "vg100", "pao8", "grease110"]
 TEMPERATURES = [-20.0, 40.0, 70.0, 115.0]

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from bearings import B6208
 from raceway import static
 from raceway.errors import NoEquilibrium
-from raceway.theory.bearing import ARRANGEMENTS, INNER, OUTER, Bearing, DoubleRow, Layout
+from raceway.theory.bearing import ARRANGEMENTS, INNER, OUTER, DoubleRow, Layout
 
-B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 ANGLE = np.radians(35)
 FOUR = B6208.four_point(ANGLE)
 ANGULAR = replace(FOUR, layout=Layout())  # its free contact angle is `ANGLE`

@@ -4,7 +4,8 @@
 import pytest
 from raceway import asperity, film, film_factors, hertz
 from raceway.runs.model_range import model_ranges
-from raceway.runs.summary import reasons, summary, table
+from raceway.runs.summary import summary
+from raceway.runs.summary_table import reasons, table
 from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER
 from synthetic import changed, write

@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 import synthetic
-from raceway.cli import main
+from commands import reply
 from raceway.pictures import motion as plot
 from raceway.pictures.page import title
 from raceway.runs.tables import RunTables
@@ -38,8 +38,9 @@ def test_panels(folder, lubricated, tmp_path, panels):
 
 
 def test_command(folder, capsys):
-    assert main(["plot", str(folder), "--kind", "motion"]) == 0
-    assert (folder / "motion.png").exists() and "motion.png" in capsys.readouterr().out
+    assert (folder / "motion.png").exists() and "motion.png" in reply(
+        capsys, ["plot", str(folder), "--kind", "motion"]
+    )
 
 
 @pytest.mark.parametrize(

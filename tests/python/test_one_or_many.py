@@ -5,7 +5,7 @@ import itertools
 import json
 
 import pytest
-from raceway.cli import main
+from commands import reply
 
 OF = {
     "static": ["--lubricant", "vg46", "--bearing", "7208B"],
@@ -16,8 +16,7 @@ VALUES = {"load": ("200", "0.9kN"), "axial": ("300",), "rpm": ("900", "12000")}
 
 
 def said(capsys, *words):
-    assert main(list(words)) == 0
-    return capsys.readouterr().out
+    return reply(capsys, list(words))
 
 
 @pytest.mark.parametrize("command", OF)

@@ -7,12 +7,11 @@ import shutil
 import subprocess
 import sys
 import tomllib
-from pathlib import Path
 
 import pytest
+from host import ROOT
 from raceway import core
 
-ROOT = Path(__file__).resolve().parents[2]
 PROJECT = tomllib.loads((ROOT / "python" / "pyproject.toml").read_text())["project"]
 LOCK = dict(
     line.lower().split("==")

@@ -2,15 +2,15 @@
 """Tests of the cases of `raceway paper` and of the program that runs them, here a shell script."""
 
 import shutil
-from pathlib import Path
 
 import numpy as np
 import pytest
+from commands import reply
+from host import ROOT
 from raceway.cli import main
 from raceway.inputs import InputError
 from raceway.paper import cases, runner
 
-ROOT = Path(__file__).resolve().parents[2]
 PLAN = """
 cases:
   few: {deck: inputs/in.6208, with: {load: [1000, 2000], entrainment: 0.41, passes: 1}}
@@ -152,15 +152,13 @@ def test_failure_is_named_and_the_rest_runs(tree):
 
 def test_command_names_the_failure(tree, capsys):
     (tree / "bad").write_text("1000")
-    assert main(["paper", "--figure", "8a", "--jobs", "1"]) == 1
-    error = capsys.readouterr().err
+    error = reply(capsys, ["paper", "--figure", "8a", "--jobs", "1"], code=1)
     assert "in.6208 load=1000 entrainment=0.41: exit code 1: ERROR" in error
     assert "1 of 2 cases failed; not made: 8a" in error
 
 
 def test_command_lists(tree, capsys):
-    assert main(["paper", "--list"]) == 0
-    lines = capsys.readouterr().out.splitlines()
+    lines = reply(capsys, ["paper", "--list"]).splitlines()
     assert [line.split()[0] for line in lines] == ["8a", "9", "A.4"] and lines[0].endswith(
         "(2 runs)"
     )
@@ -168,14 +166,13 @@ def test_command_lists(tree, capsys):
 
 
 def test_command_refuses(tree, capsys, monkeypatch):
-    assert main(["paper", "--figure", "7"]) == 1
-    assert "no figure or table 7; there are 8a, 9, A.4" in capsys.readouterr().err
+    assert "no figure or table 7; there are 8a, 9, A.4" in reply(
+        capsys, ["paper", "--figure", "7"], code=1
+    )
     with pytest.raises(SystemExit) as stop:
         main(["paper", "--jobs", "0"])
     assert stop.value.code == 2
     (tree / "build/liggghts").unlink()
-    assert main(["paper"]) == 1
-    assert "build/liggghts is missing: run `make build`" in capsys.readouterr().err
+    assert "build/liggghts is missing: run `make build`" in reply(capsys, ["paper"], code=1)
     monkeypatch.chdir("/")
-    assert main(["paper"]) == 1
-    assert "run this command in Raceway's source tree" in capsys.readouterr().err
+    assert "run this command in Raceway's source tree" in reply(capsys, ["paper"], code=1)

@@ -1,19 +1,17 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tests of the verdicts on the statements of the paper."""
 
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from host import ROOT
 from raceway import inputs
 from raceway.errors import RacewayError
 from raceway.paper import press, reading, statements
 from raceway.paper.quantities import formulas
 from raceway.paper.quantity import Quantity
 from raceway.paper.statements import AGREE, DIFFER, SAME, UNKNOWN, Statement
-
-ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import synthetic
+from commands import reply
 from PIL import Image
 from raceway import static
 from raceway.cli import main
@@ -82,8 +83,7 @@ def test_what_a_dry_run_lacks(dry_folder, capsys):
         ["plot", str(dry_folder), "--kind", "waterfall"],
         ["animate", str(dry_folder), "--colour", "film"],
     ):
-        assert main(command) == 1
-        assert "a dry run does not have" in capsys.readouterr().err
+        assert "a dry run does not have" in reply(capsys, command, code=1)
 
 
 def test_bands_of_the_waterfall(folder, lubricated):
@@ -178,8 +178,7 @@ def pictures(path):
 def test_gif(folder, tmp_path, capsys):
     out = tmp_path / "a.gif"
     command = ["animate", str(folder), "--passes", "1", "--frames", "6", "--width", "480", "--out"]
-    assert main([*command, str(out)]) == 0
-    assert capsys.readouterr().out == f"{out}\n"
+    assert reply(capsys, [*command, str(out)]) == f"{out}\n"
     frames = list(pictures(out))
     assert len(frames) == 6 and abs(frames[0].shape[1] - 480) < 10
     assert all(np.any(a != b) for a, b in zip(frames, frames[1:]))
@@ -233,8 +232,9 @@ def test_run_of_full_complement(tmp_path):
 )
 def test_complaints(folder, capsys, options, said, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    assert main(["animate", str(folder), "--frames", "2", "--width", "300", *options]) == 1
-    assert said in capsys.readouterr().err
+    assert said in reply(
+        capsys, ["animate", str(folder), "--frames", "2", "--width", "300", *options], code=1
+    )
 
 
 def test_without_ffmpeg(folder, tmp_path, monkeypatch):

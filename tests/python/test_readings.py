@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from commands import reply
 from raceway import catalogue, identify, kinematics, line_table, orders, prediction, readings
 from raceway.cli import main
 from raceway.errors import RacewayError
@@ -183,8 +184,7 @@ def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
     )
     for number, table in enumerate(tables):
         words = ["--lines", str(lines(tmp_path, table)), "--bearing", "6205", "--models", "paper"]
-        assert main(["identify", *words, "--json"]) == 0
-        found = json.loads(capsys.readouterr().out)
+        found = json.loads(reply(capsys, ["identify", *words, "--json"]))
         truth = {"clearance_m": 8e-6, "axial_N": 90.0}
         truth["contact_angle_deg"] = math.degrees(of[0].angle)
         for key, value in truth.items():
@@ -221,16 +221,17 @@ def test_command(tmp_path, capsys):
     """The command prints settings for a deck, and reports a reading that cannot be explained by any
     clearance."""
     path = str(write(tmp_path))
-    assert main(["identify", path]) == 0
-    said = capsys.readouterr().out
+    said = reply(capsys, ["identify", path])
     assert "-var bearing 6205 -var lubricant vg68 -var models full -var rpm 1797" in said
     own = tmp_path / "mine"
     own.write_text(Path("inputs/bearings/6205").read_text())
-    assert main(["identify", str(write(tmp_path, GOOD.replace("6205", str(own))))]) == 0
-    assert f"-var bearing {own} -var lubricant vg68" in capsys.readouterr().out
+    assert f"-var bearing {own} -var lubricant vg68" in reply(
+        capsys, ["identify", str(write(tmp_path, GOOD.replace("6205", str(own))))]
+    )
     row = "\n  - {rpm: 1797, BPFO: 3.55, within: 1e-4}"
-    assert main(["identify", str(write(tmp_path, GOOD.rstrip() + row)), "--json"]) == 0
-    said = json.loads(capsys.readouterr().out)
+    said = json.loads(
+        reply(capsys, ["identify", str(write(tmp_path, GOOD.rstrip() + row)), "--json"])
+    )
     assert max(abs(one["residual"]) for one in said["readings"]) > 3 and said["chi_squared"] > 9
 
 
@@ -251,6 +252,9 @@ def test_angle_beside_a_temperature_that_was_read_first(tmp_path, capsys):
     head += "readings:\n"
     angles = []
     for order in (rows, rows[::-1]):
-        assert main(["identify", str(write(tmp_path, head + "\n".join(order))), "--json"]) == 0
-        angles.append(json.loads(capsys.readouterr().out)["contact_angle_deg"])
+        angles.append(
+            json.loads(
+                reply(capsys, ["identify", str(write(tmp_path, head + "\n".join(order))), "--json"])
+            )["contact_angle_deg"]
+        )
     assert angles[0][0] > 5 and angles[0] == pytest.approx(angles[1], abs=0.05)

@@ -7,13 +7,12 @@ import sys
 import tomllib
 import types
 from contextlib import contextmanager
-from pathlib import Path
 
 import pytest
 import raceway
 import yaml
+from host import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "docs" / "packaging"
 PROJECT = tomllib.loads((ROOT / "python" / "pyproject.toml").read_text())["project"]
 NEEDED = dict(need.split(">=") for need in PROJECT["dependencies"])

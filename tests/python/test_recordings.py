@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import raceway
 import synthetic
+from commands import reply
 from raceway import envelope, inputs, passages, recording, shaft_speed, spectrum
 from raceway.cli import main
 from raceway.datasets import make
@@ -136,8 +137,7 @@ def test_the_true_speed_near_a_nominal_one(tmp_path, bearing, capsys):
     words = ["measured", str(tmp_path / "a.csv"), "--bearing", "6205", "--json"]
     said = []
     for speed in (["--nominal", "1800"], ["--rpm", f"{60 * SHAFT}"]):
-        assert main([*words, *speed]) == 0
-        said.append(json.loads(capsys.readouterr().out))
+        said.append(json.loads(reply(capsys, [*words, *speed])))
     assert said[0]["rpm_nominal"] == 1800
     for one, other in zip(*(given["lines"] for given in said)):
         assert (one["name"], one["note"], one["found_Hz"]) == (
@@ -275,10 +275,10 @@ def test_a_nominal_speed_is_not_the_true_one(tmp_path, bearing, capsys):
     ringing = np.exp(-1500 * since) * np.sin(2 * np.pi * 4000 * since)
     np.savez(tmp_path / "a.npz", a=ringing + 0.02 * rng.normal(size=len(time)))
     words = ["measured", str(tmp_path / "a.npz"), "--bearing", "6205", "--rate", f"{RATE}"]
-    assert main([*words, "--nominal", "1800"]) == 0
-    assert "shaft 1800 rpm, nominal: the true speed is unknown" in capsys.readouterr().out
-    assert main([*words, "--rpm", "1800"]) == 0
-    assert "shaft 1800 rpm\n" in capsys.readouterr().out
+    assert "shaft 1800 rpm, nominal: the true speed is unknown" in reply(
+        capsys, [*words, "--nominal", "1800"]
+    )
+    assert "shaft 1800 rpm\n" in reply(capsys, [*words, "--rpm", "1800"])
     for words, source, share in (({"nominal": 1800}, "nominal", 8e-3), ({"rpm": 1800}, "given", 0)):
         found = recording.Recording(tmp_path / "a.npz", bearing, rate=RATE, **words)
         one = orders.of_recording(found)["BPFO"]
@@ -307,11 +307,9 @@ def test_the_speed_of_a_data_set_is_exact(tmp_path, bearing, capsys):
     make._save_matlab(tmp_path / "0007.mat", one, int(RATE), noise)
     cwru(tmp_path / "130.mat", noise)
     words = ["measured", str(tmp_path / "0007.mat"), "--bearing", "6205"]
-    assert main([*words, "--json"]) == 0
-    said = json.loads(capsys.readouterr().out)
+    said = json.loads(reply(capsys, [*words, "--json"]))
     assert said["rpm"] == 60 * SHAFT and (said["rpm_from"], said["load_N"]) == ("file", 500)
-    assert main(words) == 0
-    assert f"shaft {60 * SHAFT:.6g} rpm, as stated in the file\n" in capsys.readouterr().out
+    assert f"shaft {60 * SHAFT:.6g} rpm, as stated in the file\n" in reply(capsys, words)
     assert recording.Recording(tmp_path / "0007.mat", bearing).speed_uncertainty == 0
     assert recording.Recording(tmp_path / "130.mat", bearing, rate=RATE).speed_from == "nominal"
 
@@ -322,8 +320,7 @@ def test_angle_of_a_four_point_contact_bearing(tmp_path, capsys):
     words = ["measured", str(tmp_path / "a.csv"), "--rpm", "1800", "--bearing", "QJ208", "--json"]
     said = []
     for more in ([], ["--angle", "35"]):
-        assert main([*words, *more]) == 0
-        said.append([one["order"] for one in json.loads(capsys.readouterr().out)["lines"]])
+        said.append([one["order"] for one in json.loads(reply(capsys, [*words, *more]))["lines"]])
     assert said[0] == pytest.approx(said[1], rel=1e-12)
 
 
@@ -396,7 +393,5 @@ def test_command(tmp_path, capsys):
     assert said["rpm"] == pytest.approx(60 * SHAFT, rel=3e-5) and said["rpm_nominal"] == 1797
     assert [one["name"] for one in said["channels"]] == ["DE", "BA"]
     assert said["channels"][0]["rms"] == pytest.approx(struck().std(), rel=1e-6)
-    assert main(words) == 0
-    assert "BPFO x3" in capsys.readouterr().out
-    assert main([*words, "--channel", "FE"]) == 1
-    assert "has no channel FE; it has DE, BA" in capsys.readouterr().err
+    assert "BPFO x3" in reply(capsys, words)
+    assert "has no channel FE; it has DE, BA" in reply(capsys, [*words, "--channel", "FE"], code=1)

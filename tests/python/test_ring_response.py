@@ -6,13 +6,12 @@ import json
 
 import numpy as np
 import pytest
+from bearings import B6208
+from commands import reply
 from raceway import film_damping, lubrication, ring_response, small_motion, static
-from raceway.cli import main
 from raceway.inputs import Oil
-from raceway.theory.bearing import Bearing
 from raceway.theory.lubricant import Fluid
 
-B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 OIL = Oil(viscosity=0.04, pressure_viscosity=22e-9, permittivity=2.25, roughness=1e-7)
 SPIN = 300.0  # rad/s
 MASS = 8.17e-3  # kg, mass of a ball
@@ -102,12 +101,10 @@ def test_static_prints_it(capsys):
     """The --json output includes the damping matrix for a bearing at standstill, which is null
     without a film."""
     shape = ["static", "--load", "1500", "--axial", "2500", "--clearance", "20e-6", "--json"]
-    assert main([*shape, "--rpm", "1910", "--lubricant", "mineral"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = json.loads(reply(capsys, [*shape, "--rpm", "1910", "--lubricant", "mineral"]))
     matrix = np.array(found["damping"])
     assert matrix.shape == (5, 5) and np.all(np.diag(matrix) > 0)
     assert found["damping_x_N_s_m"] == matrix[0, 0]
     assert np.linalg.eigvalsh(matrix)[0] > -1e-12 * matrix.max()
     assert found["damping_law"] == ring_response.LAWS["full"]
-    assert main(shape) == 0
-    assert json.loads(capsys.readouterr().out)["damping"] is None
+    assert json.loads(reply(capsys, shape))["damping"] is None

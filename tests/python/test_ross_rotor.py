@@ -15,8 +15,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from commands import reply
 from raceway import beam, beam_motion, ross_file, rotor_matrices, shaft_bending
-from raceway.cli import main
 from raceway.theory.beam import Section
 
 FILE = Path(__file__).parent / "ross_rotor.csv"
@@ -217,8 +217,7 @@ def npz(tmp_path_factory):
 def test_npz(npz, found, tmp_path, capsys):
     file = tmp_path / "rotor.modes"
     words = ["--reduced", str(file), "--kept", "0", "0.4", "--places", "0.17", "--json"]
-    assert main(["shaft", str(npz), *words]) == 0
-    printed = json.loads(capsys.readouterr().out)
+    printed = json.loads(reply(capsys, ["shaft", str(npz), *words]))
     want = rotor_matrices.bending(found, (0.0, 0.4), places=[0.17])
     rows = [line.split() for line in file.read_text().splitlines()]
     stations = [[float(one) for one in row[1:]] for row in rows if row[0] == "station"]
@@ -247,14 +246,12 @@ def test_toml(monkeypatch, tmp_path, given, capsys):
     monkeypatch.setitem(sys.modules, "ross", types.SimpleNamespace(Rotor=load))
     (tmp_path / "r.toml").touch()
     file = tmp_path / "r.modes"
-    assert main(["shaft", str(tmp_path / "r.toml"), "--reduced", str(file)]) == 0
     assert "9 nodes from 0 m to 400 mm, without its bearings at 50 mm, 400 mm" in (
-        capsys.readouterr().out
+        reply(capsys, ["shaft", str(tmp_path / "r.toml"), "--reduced", str(file)])
     )
     places = [line.split()[1] for line in file.read_text().splitlines() if line[:7] == "station"]
     assert [float(one) for one in places] == [0.05, 0.2, 0.4]
-    assert main(["shaft", str(tmp_path / "none.toml")]) == 1
-    assert "there is no such file" in capsys.readouterr().err
+    assert "there is no such file" in reply(capsys, ["shaft", str(tmp_path / "none.toml")], code=1)
 
 
 @pytest.mark.parametrize(
@@ -268,8 +265,15 @@ def test_toml(monkeypatch, tmp_path, given, capsys):
 )
 def test_mistakes(npz, tmp_path, capsys, words, says):
     file = tmp_path / "out"
-    assert main(["shaft", str(npz), *[str(file) if one == "FILE" else one for one in words]]) == 1
-    assert says in capsys.readouterr().err and not file.exists()
+    assert (
+        says
+        in reply(
+            capsys,
+            ["shaft", str(npz), *[str(file) if one == "FILE" else one for one in words]],
+            code=1,
+        )
+        and not file.exists()
+    )
 
 
 @pytest.mark.parametrize(
@@ -288,12 +292,10 @@ def test_files_refused(tmp_path, capsys, data, says):
         path.write_bytes(data)
     elif data:
         np.savez(path, **data)
-    assert main(["shaft", str(path)]) == 1
-    assert says in capsys.readouterr().err
+    assert says in reply(capsys, ["shaft", str(path)], code=1)
 
 
 def test_without_ross(monkeypatch, tmp_path, capsys):
     monkeypatch.setitem(sys.modules, "ross", None)
     assert not ross_file.is_ross("inputs/shafts/motor")
-    assert main(["shaft", str(tmp_path / "r.toml")]) == 1
-    assert "cannot load ROSS" in capsys.readouterr().err
+    assert "cannot load ROSS" in reply(capsys, ["shaft", str(tmp_path / "r.toml")], code=1)

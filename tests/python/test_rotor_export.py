@@ -10,16 +10,16 @@ import types
 
 import numpy as np
 import pytest
+from bearings import B6208
+from commands import reply
 from raceway import beam, beam_motion, export, static
 from raceway.cli import main
 from raceway.errors import RacewayError, RunWarning
 from raceway.export import rotor
 from raceway.theory.beam import Disc, Section, Steel
-from raceway.theory.bearing import Bearing
 from raceway.theory.small_motion import Response
 from raceway.units import prefixed
 
-B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 CASE = dict(axial=2500.0, clearance=20e-6, phases=1)
 OILED = dict(lubricant="vg46", temperature=70.0, models="paper", **CASE)
 # the first six natural frequencies in Hz of the rotor below at 6000 rpm, computed by ROSS 2.3.0
@@ -155,8 +155,7 @@ def test_command_writes_what_ross_reads(tmp_path, capsys, oiled):
     words = ["stiffness", "--load", "1500", "--axial", "2500", "--clearance", "20e-6"]
     words += ["--phases", "1", "--lubricant", "vg46", "--temperature", "70", "--models", "paper"]
     words += ["--rpm", "1000", "3000", "6000"]
-    assert main([*words, "--node", "4", "--out", str(path)]) == 0
-    assert capsys.readouterr().out == f"{path}\n"
+    assert reply(capsys, [*words, "--node", "4", "--out", str(path)]) == f"{path}\n"
     (name, table), *others = tomllib.loads(path.read_text()).items()
     assert name == "BearingElement_6208" and not others
     assert table == {"n": 4, "tag": "6208", **rotor.ross_of(oiled)}
@@ -165,8 +164,9 @@ def test_command_writes_what_ross_reads(tmp_path, capsys, oiled):
 
 
 def test_command_prints(capsys):
-    assert main(["stiffness", "--load", "1000", "3000", "--phases", "2"]) == 0
-    heading, *rows = capsys.readouterr().out.splitlines()
+    heading, *rows = reply(
+        capsys, ["stiffness", "--load", "1000", "3000", "--phases", "2"]
+    ).splitlines()
     assert heading.split()[:3] == ["rpm", "load", "kxx"] and len(rows) == 2
     least = rotor.points("6208", 3000.0, 0.0, phases=2)[0].over.least.stiffness[1, 1]
     assert rows[1].split()[7:9] == prefixed(least, "N/m").split()
@@ -207,8 +207,7 @@ def test_incomplete_lubricant(tmp_path, capsys):
     names |= dict(roughness=1e-7, ball_roughness=0)
     oil.write_text("".join(f"variable {key} index {value}\n" for key, value in names.items()))
     words = ["stiffness", "--load", "100", "--rpm", "100", "--phases", "1", "--lubricant", str(oil)]
-    assert main(words) == 1
-    assert "which models full need, unlike models paper" in capsys.readouterr().err
+    assert "which models full need, unlike models paper" in reply(capsys, words, code=1)
     assert main([*words, "--models", "paper"]) == 0
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import synthetic
+from bearings import B6208
 from raceway.errors import RunError
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
@@ -101,7 +102,7 @@ def test_window_outside_the_run(folder):
 
 
 def test_geometry(folder):
-    assert RunTables(folder).geometry == synthetic.DEEP_GROOVE
+    assert RunTables(folder).geometry == B6208
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from commands import reply
 from raceway import beam, beam_motion, shaft, shaft_bending, shaft_file, shaft_motion
 from raceway.cli import main
 from raceway.theory.beam import Disc, Section
@@ -183,11 +184,14 @@ def test_no_mode_is_left(rotor):
 )
 def test_mistakes(tmp_path, capsys, words, says):
     file = tmp_path / "modes"
-    assert main(["shaft", str(MOTOR), "--reduced", str(file), *words]) == 1
-    assert says in capsys.readouterr().err and not file.exists()
+    assert (
+        says in reply(capsys, ["shaft", str(MOTOR), "--reduced", str(file), *words], code=1)
+        and not file.exists()
+    )
 
 
 @pytest.mark.parametrize("words", [["--modes", "4"], ["--places", "0.1"], ["--damping", "0"]])
 def test_words_that_need_the_file(capsys, words):
-    assert main(["shaft", str(MOTOR), *words]) == 1
-    assert f"{words[0]} applies to --reduced FILE" in capsys.readouterr().err
+    assert f"{words[0]} applies to --reduced FILE" in reply(
+        capsys, ["shaft", str(MOTOR), *words], code=1
+    )

@@ -4,15 +4,13 @@ frequencies."""
 
 import numpy as np
 import pytest
+from bearings import B6208
 from raceway import shaft
 from raceway.theory import shaft_modes, shaft_motion
 from raceway.theory.beam import Disc, Section
-from raceway.theory.bearing import Bearing
 from raceway.theory.shaft import Load, Seat, Shaft
 from scipy.integrate import quad
 from scipy.optimize import brentq
-
-B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 
 
 @pytest.fixture(scope="module")

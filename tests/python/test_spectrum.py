@@ -9,6 +9,7 @@ import pytest
 import raceway
 import synthetic
 import xarray as xr
+from commands import reply
 from raceway import kinematics, spectrum
 from raceway.cli import main
 from raceway.errors import RunError
@@ -169,10 +170,9 @@ def test_units(folder):
 
 def test_command(tmp_path, lubricated, bearing, capsys):
     folder = write(tmp_path, lubricated, {kinematics.frequencies(bearing).outer * (1 - 4e-4): 4e-7})
-    assert (
-        main(["spectrum", str(folder), "--out", str(tmp_path / "x.png"), "--harmonics", "2"]) == 0
-    )
-    lines = capsys.readouterr().out.splitlines()
+    lines = reply(
+        capsys, ["spectrum", str(folder), "--out", str(tmp_path / "x.png"), "--harmonics", "2"]
+    ).splitlines()
     assert lines[0].startswith("displacement of the inner ring along the load; resolution ")
     (row,) = (line.split() for line in lines if line.startswith("  BPFO  "))
     assert (
@@ -184,8 +184,12 @@ def test_command(tmp_path, lubricated, bearing, capsys):
     assert (tmp_path / "x.png").read_bytes()[:4] == b"\x89PNG" and (
         tmp_path / "x.png"
     ).stat().st_size > 10_000
-    assert main(["spectrum", str(folder), "--json", "--harmonics", "1"]) == 0
-    data = {line["name"]: line for line in json.loads(capsys.readouterr().out)}
+    data = {
+        line["name"]: line
+        for line in json.loads(
+            reply(capsys, ["spectrum", str(folder), "--json", "--harmonics", "1"])
+        )
+    }
     assert list(data) == ["FTF", "BSF", "BPFO", "BPFI", "shaft"]
     assert (
         data["BPFO"]["difference"] == pytest.approx(-4e-4, abs=2e-5)
@@ -194,10 +198,12 @@ def test_command(tmp_path, lubricated, bearing, capsys):
 
 
 def test_command_refuses(folder, tmp_path, capsys):
-    assert main(["spectrum", str(folder), "--signal", "nothing"]) == 1
-    assert "has no column nothing" in capsys.readouterr().err
-    assert main(["spectrum", str(folder), "--out", str(tmp_path / "none" / "x.png")]) == 1
-    assert "cannot write" in capsys.readouterr().err
+    assert "has no column nothing" in reply(
+        capsys, ["spectrum", str(folder), "--signal", "nothing"], code=1
+    )
+    assert "cannot write" in reply(
+        capsys, ["spectrum", str(folder), "--out", str(tmp_path / "none" / "x.png")], code=1
+    )
     with pytest.raises(SystemExit) as stop:
         main(["spectrum", str(folder), "--harmonics", "0"])
     assert stop.value.code == 2 and "number from 1 to 50" in capsys.readouterr().err

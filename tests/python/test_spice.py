@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import raceway
 from circuits import films, turning
-from raceway.cli import main
+from commands import reply
 from raceway.electric import circuit, spice
 from raceway.electric.films import of_run, series
 from raceway.electric.leak import Leak
@@ -108,8 +108,7 @@ def test_current_of_moving_plates(tmp_path):
 def test_files_of_a_run(folder, tmp_path, capsys):
     out = tmp_path / "spice"
     command = ["export", str(folder), "--format", "spice", "--every", "2", "--resistivity", "1e9"]
-    assert main([*command, "--out", str(out)]) == 0
-    assert capsys.readouterr().out == f"{out / 'bearing.cir'}\n"
+    assert reply(capsys, [*command, "--out", str(out)]) == f"{out / 'bearing.cir'}\n"
     given = of_run(raceway.open(folder), Leak(1e9)).every(2)
     assert (out / "bearing.cir").read_text() == spice.element(given)
     lines = (out / "bearing.pwl").read_text()
@@ -122,6 +121,6 @@ def test_files_of_a_run(folder, tmp_path, capsys):
 
 
 def test_resistivity_is_for_spice(folder, capsys):
-    with pytest.raises(SystemExit):
-        main(["export", str(folder), "--format", "xyz", "--resistivity", "1e9"])
-    assert "--resistivity applies to --format spice" in capsys.readouterr().err
+    assert "--resistivity applies to --format spice" in reply(
+        capsys, ["export", str(folder), "--format", "xyz", "--resistivity", "1e9"], code=2
+    )

@@ -2,16 +2,14 @@
 """Tests of combined slip and spin in statics: limits, comparison with closed-form expressions, and
 invalid input."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from host import ROOT
 from raceway import friction_torque, inputs, spin
 from raceway.theory.lubrication import lubricate, turning
 from raceway.theory.operating_point import figures
 from references import spin as gauss_points
 
-ROOT = Path(__file__).resolve().parents[2]
 OIL = ROOT / "inputs/lubricants/mineral"
 
 

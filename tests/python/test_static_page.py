@@ -3,9 +3,8 @@
 commands."""
 
 import doctest
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+from host import ROOT
 
 
 def test_python(monkeypatch):

@@ -8,10 +8,9 @@ unit in the last digit.
 
 import numpy as np
 import pytest
+from bearings import B6208
 from raceway import static
-from raceway.theory.bearing import Bearing
 
-B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 X, Y, Z, RX, RY = range(5)
 RADIAL = {(X, X): 1.8050e8, (Y, Y): 8.3389e7, (Z, Z): 6.5565e6, (Z, RY): -1.7417e5}
 RADIAL |= {(RX, RX): 1406.5, (RY, RY): 4713.4}

@@ -10,7 +10,8 @@ import raceway
 import synthetic
 from raceway import clearance, kinematics, life, makers
 from raceway.errors import RunError
-from raceway.runs.summary import summary, table
+from raceway.runs.summary import summary
+from raceway.runs.summary_table import table
 from raceway.runs.tables import RunTables
 
 # the keys of the table in INTERFACE.md in their order, repeated here because users rely on them

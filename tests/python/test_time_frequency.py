@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import raceway
 import synthetic
+from commands import reply
 from raceway import time_frequency
-from raceway.cli import main
 from raceway.errors import RunError
 from raceway.runs import order_tracking
 
@@ -101,10 +101,7 @@ def test_command(run_up, tmp_path, capsys):
     words = ["spectrum", str(run_up), "--signal", "x", "--kind", "time"]
     out = tmp_path / "picture.png"
     for more in ([], ["--envelope", "--band", "20", "4000"], ["--envelope"]):
-        assert main([*words, *more, "--out", str(out)]) == 0
-        assert capsys.readouterr().out.strip() == str(out)
+        assert reply(capsys, [*words, *more, "--out", str(out)]).strip() == str(out)
         assert out.stat().st_size > 10_000
         out.unlink()
-    with pytest.raises(SystemExit):
-        main([*words, "--json"])
-    assert "--json applies to --kind lines" in capsys.readouterr().err
+    assert "--json applies to --kind lines" in reply(capsys, [*words, "--json"], code=2)

@@ -6,6 +6,7 @@ import shutil
 import numpy as np
 import pandas as pd
 import pytest
+from commands import reply
 from raceway import track
 from raceway.cli import main
 from raceway.recordings import readings
@@ -89,15 +90,15 @@ def test_a_warming_bearing(folder):
 def test_mistakes(folder, capsys, old, new, says):
     path = folder[0] / "hours.yaml"
     path.write_text(FILE.replace(old, new))
-    assert main(["track", str(path)]) == 1
-    assert says in capsys.readouterr().err
+    assert says in reply(capsys, ["track", str(path)], code=1)
 
 
 def test_times_must_rise(folder, capsys):
     path = folder[0] / "hours.csv"
     pd.read_csv(path).iloc[::-1].to_csv(path, index=False)
-    assert main(["track", str(folder[0] / "hours.yaml")]) == 1
-    assert "the times of the rows of a series must increase" in capsys.readouterr().err
+    assert "the times of the rows of a series must increase" in reply(
+        capsys, ["track", str(folder[0] / "hours.yaml")], code=1
+    )
 
 
 def test_a_linear_reading_is_kalmans():

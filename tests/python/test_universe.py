@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import raceway
 import synthetic
+from bearings import B6208
 from MDAnalysis.analysis.base import AnalysisFromFunction
 from raceway.runs import universe as module
 
@@ -62,7 +63,7 @@ def test_every_frame_in_any_order(run):
 def test_single_precision_is_not_enough(run, lubricated):
     """As the docstring of the module states, positions are wrong by up to 2 nm, so overlaps
     computed from them are useless, whereas the columns are exact."""
-    u, radius = run.universe(), synthetic.DEEP_GROOVE.pitch_radius
+    u, radius = run.universe(), B6208.pitch_radius
     off = max(np.abs(u.atoms.positions - ts.data["position"]).max() for ts in u.trajectory)
     assert np.finfo(np.float32).eps * radius / 8 < off < 2e-9
     smallest = min(row[5] for frame in lubricated["contacts"] for row in frame)

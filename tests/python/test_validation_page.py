@@ -2,11 +2,10 @@
 """The tests that docs/validation.rst names for T1 to T12 exist."""
 
 import re
-from pathlib import Path
 
 import pytest
+from host import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 ROW = re.compile(r"\* - (T\d+)\n +- .*\n +- ``(.*)``\n +- ``(.*)``")
 ROWS = ROW.findall((ROOT / "docs/validation.rst").read_text())
 

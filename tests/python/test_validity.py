@@ -7,8 +7,8 @@ import math
 
 import numpy as np
 import pytest
+from commands import reply
 from raceway import catalogue, inputs, operating_point
-from raceway.cli import main
 from raceway.inputs import InputError
 from raceway.theory.bearing import Bearing
 from raceway.theory.validity import RULES, Shoulders, doubts, past_shoulder
@@ -82,10 +82,8 @@ def test_a_ring_held_along_its_axis(name, capsys):
 
     def said(*more):
         point = ["--rpm", "3000", "--lubricant", "vg46", "--load", "1000"]
-        assert main([name, *point, *more]) == 0
-        text = capsys.readouterr().out
-        assert main([name, *point, *more, "--json"]) == 0
-        warnings = json.loads(capsys.readouterr().out)["warnings"]
+        text = reply(capsys, [name, *point, *more])
+        warnings = json.loads(reply(capsys, [name, *point, *more, "--json"]))["warnings"]
         assert all(one in text for one in warnings)
         return [one for one in warnings if one.startswith("the balls push the inner ring along")]
 

@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 import xarray as xr
 import yaml
+from host import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 RECIPES = ROOT / "docs" / "recipes"
 PYTHON = str(ROOT / ".venv" / "bin" / "python")
 CORE = "python/src/raceway/core/lib/libraceway_core.so"

@@ -11,7 +11,8 @@ import synthetic
 from host import succeed
 from raceway.errors import RunError
 from raceway.runs.record import Record
-from recorded_runs import SMALL, small
+from recorded_runs import small
+from smallest import SMALLEST
 
 CASES = 200
 
@@ -20,7 +21,7 @@ CASES = 200
 def folder(tmp_path_factory):
     """Return the folder of a run with seven samples."""
     folder = tmp_path_factory.mktemp("tiny")
-    deck = SMALL.replace("bearing/record 100", "bearing/record 500").replace(
+    deck = SMALLEST.replace("bearing/record 100", "bearing/record 500").replace(
         "run 20000", "run 3000"
     )
     succeed(small(folder, deck=deck))

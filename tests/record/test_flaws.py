@@ -4,8 +4,9 @@
 import pytest
 import raceway
 from host import liggghts, succeed
-from raceway.runs.summary import table
-from recorded_runs import SMALL, small
+from raceway.runs.summary_table import table
+from recorded_runs import small
+from smallest import SMALLEST
 
 PROFILES = """\
 group outer type 3
@@ -14,7 +15,7 @@ fix waves inner bearing/profile wave 8 1.0e-8 0.5
 fix table outer bearing/profile file "{0}/a: #1 table.txt"
 fix perfect outer bearing/profile none
 """
-SHORT = SMALL.replace("run 20000", "run 200")
+SHORT = SMALLEST.replace("run 20000", "run 200")
 
 
 @pytest.fixture(scope="module")

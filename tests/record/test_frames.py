@@ -15,13 +15,14 @@ import scenes
 import turned
 from circuits import MOTOR_OF_INVERTER
 from fuzz.pose import Pose
-from host import ROOT, succeed
+from host import ROOT, deck_file, succeed
 from raceway.cli import main as command
 from raceway.electric import circuit
 from raceway.electric.breakdown import Breakdown
 from raceway.electric.leak import Leak
 from raceway.runs import envelope, losses, sensor, spectrum
-from recorded_runs import SMALL, small
+from recorded_runs import small
+from smallest import SMALLEST
 
 UPRIGHT = Pose()
 ALONG = [Pose((1, 2, 0)), Pose((2, 0, 1))]  # with the axis along x, and along y
@@ -278,9 +279,10 @@ def test_plain_deck_about_x(tmp_path):
     text = (ROOT / "inputs" / "in.6208").read_text()
     found, heat = [], []
     for axis in "zx":
-        deck = tmp_path / f"in.{axis}"
-        deck.write_text(
-            text.replace("pair_style bearing oil", f"pair_style bearing axis {axis} oil")
+        deck = deck_file(
+            tmp_path,
+            text.replace("pair_style bearing oil", f"pair_style bearing axis {axis} oil"),
+            f"in.{axis}",
         )
         succeed(deck, out=tmp_path / axis, **words)
         found.append(figures(tmp_path / axis))
@@ -294,7 +296,7 @@ def test_plain_deck_about_x(tmp_path):
 def test_direction_without_a_load(tmp_path):
     """A radial load of the size of rounding errors has no direction, so the direction of the
     displacement is used instead."""
-    end = succeed(small(tmp_path, deck=SMALL.replace("run 20000", "run 500")), out=tmp_path)
+    end = succeed(small(tmp_path, deck=SMALLEST.replace("run 20000", "run 500")), out=tmp_path)
     assert end.code == 0
     found = []
     for number, pose in enumerate((UPRIGHT, *ELSEWHERE[:2])):

@@ -7,6 +7,7 @@ import re
 
 import pytest
 import raceway
+from commands import reply
 from host import succeed
 from raceway import electrical, losses, regimes, spectrum
 from raceway.cli import main
@@ -50,8 +51,7 @@ def command(text, folder, out):
 
 @pytest.mark.parametrize("text", COMMANDS)
 def test_commands_ask_which(many, text, tmp_path, capsys):
-    assert main(command(text, many, tmp_path / "out")) == 1
-    said = capsys.readouterr().err
+    said = reply(capsys, command(text, many, tmp_path / "out"), code=1)
     assert re.search(WHICH, said) and said.count("\n") == 1
 
 
@@ -81,8 +81,9 @@ def test_all_bearings_together_have_contacts(many):
 
 @pytest.mark.parametrize("text", COMMANDS)
 def test_commands_take_a_number(many, text, tmp_path, capsys):
-    assert main([*command(text, many, tmp_path / "out"), "--bearing", "3"]) == 1
-    assert "has bearings 1 to 2, but no bearing 3" in capsys.readouterr().err
+    assert "has bearings 1 to 2, but no bearing 3" in reply(
+        capsys, [*command(text, many, tmp_path / "out"), "--bearing", "3"], code=1
+    )
     done = main([*command(text, many, tmp_path / "out"), "--bearing", "2"])
     said = capsys.readouterr().err
     assert done == 0 or "has 7 samples: a spectrum needs 32" in said
@@ -90,14 +91,14 @@ def test_commands_take_a_number(many, text, tmp_path, capsys):
 
 def test_figures_are_those_of_the_number(many, capsys):
     for number in (1, 2):
-        assert main(["summary", str(many), "--json", "--bearing", str(number)]) == 0
-        figures = json.loads(capsys.readouterr().out)
+        figures = json.loads(
+            reply(capsys, ["summary", str(many), "--json", "--bearing", str(number)])
+        )
         assert figures["q_max_N"] == raceway.open(many).select(number).summary()["q_max_N"]
 
 
 def test_mistakes(many, tmp_path, capsys):
-    assert main(["check", str(many)]) == 1
-    assert "does not have the deck's variables" in capsys.readouterr().err
+    assert "does not have the deck's variables" in reply(capsys, ["check", str(many)], code=1)
     (tmp_path / "point").mkdir()
     (tmp_path / "point" / "point.yaml").write_text("load: 1\n")
     for words in (["report", str(tmp_path), "--bearing", "1"], ["summary", "x", "--bearing", "0"]):

@@ -6,10 +6,11 @@ import shutil
 
 import pytest
 import raceway
+from commands import reply
 from host import succeed
-from raceway.cli import main
 from raceway.errors import RunError
-from recorded_runs import MAIN, SMALL, small
+from recorded_runs import MAIN, small
+from smallest import SMALLEST
 
 SHORT = {**MAIN, "samples": 20, "dumps": "no"}
 OTHERS = {
@@ -32,8 +33,7 @@ def test_of_the_main_deck(one, words, key, tmp_path, capsys):
     succeed(out=tmp_path, **{**SHORT, **words})
     shutil.copy(one / "record.nc", tmp_path)
     for command in ("summary", "plot", "report"):
-        assert main([command, str(tmp_path)]) == 1
-        said = capsys.readouterr().err
+        said = reply(capsys, [command, str(tmp_path)], code=1)
         assert f"{tmp_path}/record.nc belongs to a different run than run.yaml: {key} is" in said
         assert said.count("\n") == 1
 
@@ -43,7 +43,7 @@ def test_of_a_deck_that_notes_nothing(steps, tmp_path):
     """The two runs differ only in length."""
     for name, count in (("a", 20000), ("b", steps)):
         (tmp_path / name).mkdir()
-        succeed(small(tmp_path / name, deck=SMALL.replace("run 20000", f"run {count}")))
+        succeed(small(tmp_path / name, deck=SMALLEST.replace("run 20000", f"run {count}")))
     shutil.copy(tmp_path / "a/run/record.nc", tmp_path / "b/run")
     with pytest.raises(RunError, match="a different run than run.yaml: simulated_s is 0.02 "):
         raceway.open(tmp_path / "b/run")
@@ -61,7 +61,7 @@ def test_numbers_that_a_deck_notes(tmp_path):
 def test_a_run_that_goes_on_is_one(tmp_path):
     """Until a continued run has ended, its record contains more samples than run.yaml states for
     the previous part."""
-    succeed(small(tmp_path, more="", deck=SMALL + "run 5000\n"))
+    succeed(small(tmp_path, more="", deck=SMALLEST + "run 5000\n"))
     folder = tmp_path / "run"
     assert raceway.open(folder).tables.settings["simulated_s"] == pytest.approx(0.025)
     path, text = folder / "run.yaml", (folder / "run.yaml").read_text()

@@ -6,7 +6,7 @@ import json
 import numpy as np
 import pytest
 import raceway
-from host import ROOT, succeed
+from host import ROOT, deck_file, succeed
 from raceway.cli import main as command
 
 RECORD = "fix rec all bearing/record 200 ${out} overwrite yes\n"
@@ -24,8 +24,7 @@ def own(request, tmp_path_factory):
     text = (ROOT / "docs" / "decks" / request.param).read_text()
     if "bearing/record" not in text:
         text = text.replace("\nrun 40000", f"\n{RECORD}run 80000")
-    deck = folder / "in.own"
-    deck.write_text(text)
+    deck = deck_file(folder, text)
     succeed(deck, out=folder / "run")
     return request.param, folder / "run"
 

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 import raceway
-from host import succeed
+from host import deck_file, succeed
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
@@ -37,8 +37,7 @@ SPIN = "fix outer outer bearing/ring spin speed -40\n"
 
 
 def ran(folder, *lines):
-    deck = folder / "in.own"
-    deck.write_text(DECK + "\n".join(lines) + END)
+    deck = deck_file(folder, DECK + "\n".join(lines) + END)
     succeed(deck, out=folder)
     return folder
 

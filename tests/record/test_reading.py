@@ -13,7 +13,8 @@ from raceway.cli import main as command
 from raceway.errors import RunError
 from raceway.runs.friction import friction
 from raceway.runs.record import Record
-from recorded_runs import MAIN, SMALL, small
+from recorded_runs import MAIN, small
+from smallest import SMALLEST
 
 
 @pytest.fixture(scope="module")
@@ -188,7 +189,7 @@ def test_a_summary_has_the_figures(tmp_path):
 def test_unfinished(tmp_path):
     """A run that has stopped half-way can be read, but its summary is refused."""
     folder = tmp_path / "run"
-    succeed(small(tmp_path, deck=SMALL.replace("run 20000", "run 5000")))
+    succeed(small(tmp_path, deck=SMALLEST.replace("run 20000", "run 5000")))
     text = (folder / "run.yaml").read_text()
     (folder / "run.yaml").write_text(text.split("step_s: ")[0])
     run = raceway.open(folder)

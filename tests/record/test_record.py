@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 import xarray as xr
 from host import ROOT, run, succeed, tables
-from recorded_runs import MAIN, SMALL, small
+from recorded_runs import MAIN, small
+from smallest import SMALLEST
 
 
 def opened(folder):
@@ -193,7 +194,7 @@ def test_notes_of_the_decks_variables(tmp_path):
         "again": "number mass_kg=third goal turns=turns text oil=oil number load_N 2.5e3",
     }
     deck = "variable third equal 1/3\nvariable turns index 3\nvariable oil string thin\n"
-    deck += "variable load index 2.5e3\n" + SMALL
+    deck += "variable load index 2.5e3\n" + SMALLEST
     records = {}
     for name, words in notes.items():
         folder = tmp_path / name
@@ -218,7 +219,7 @@ def test_several_runs(tmp_path):
     whole, parts = tmp_path / "whole", tmp_path / "parts"
     for folder, runs in ((whole, "run 20000"), (parts, "run 5050\nrun 14950")):
         folder.mkdir()
-        succeed(small(folder, deck=SMALL.replace("run 20000", runs)))
+        succeed(small(folder, deck=SMALLEST.replace("run 20000", runs)))
     assert (whole / "run/record.nc").read_bytes() == (parts / "run/record.nc").read_bytes()
 
 
@@ -229,9 +230,9 @@ def test_resume(ranks, tmp_path):
     for folder in (whole, parts):
         folder.mkdir()
         again = f"restart 1400 {folder / 'restart'}.*\n"
-        deck = SMALL.replace("run 20000", "run 4000")
+        deck = SMALLEST.replace("run 20000", "run 4000")
         succeed(small(folder, deck=deck, more=again), ranks=ranks)
-    deck = re.sub(r"(?s)boundary.*?create_box[^\n]*", "newton off\nREAD", SMALL)
+    deck = re.sub(r"(?s)boundary.*?create_box[^\n]*", "newton off\nREAD", SMALLEST)
     deck = deck.replace("READ", f"read_restart {parts}/restart.1400")
     deck = re.sub(r"(?s)pair_style.*?create_bearing[^\n]*", "", deck)
     deck = deck.replace("run 20000", "run 4000 upto")
@@ -260,7 +261,7 @@ def test_refused(options, says, tmp_path):
 
 
 def test_refuses_another_step(tmp_path):
-    deck = SMALL.replace("run 20000", "run 1000\ntimestep 5.0e-7\nrun 1000")
+    deck = SMALLEST.replace("run 20000", "run 1000\ntimestep 5.0e-7\nrun 1000")
     outcome = run(small(tmp_path, deck=deck))
     assert outcome.code != 0
     assert "the time step was 1e-06 s and is now 5e-07 s" in outcome.error

@@ -5,7 +5,7 @@ the record, in the output of the fix and in computes."""
 import numpy as np
 import pytest
 import xarray as xr
-from host import BOX, liggghts, run, succeed
+from host import BOX, deck_file, liggghts, run, succeed
 
 SHOULDERS = {"inner_shoulder_diameter": 52.6e-3, "outer_shoulder_diameter": 68.6e-3}  # 2.3 mm deep
 OIL = {"viscosity": 0.03, "pressure_viscosity": 1.8e-8, "permittivity": 2.2}
@@ -313,7 +313,6 @@ timestep 1e-7
 
 @pytest.mark.parametrize("words, message", MISTAKES.values(), ids=MISTAKES)
 def test_mistakes_are_named(words, message, tmp_path):
-    deck = tmp_path / "in.mistake"
-    deck.write_text(BOX + FILM + FIX + words + "\nrun 0\n")
+    deck = deck_file(tmp_path, BOX + FILM + FIX + words + "\nrun 0\n")
     outcome = liggghts(deck, timeout=60)
     assert outcome.code != 0 and message in outcome.error, outcome.text[-2000:]

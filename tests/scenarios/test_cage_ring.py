@@ -7,7 +7,7 @@ import re
 
 import numpy as np
 import pytest
-from host import frames, liggghts, succeed, tables
+from host import frames, liggghts, refused, succeed, tables
 
 DECK = "tests/scenarios/in.cage_ring"
 VERLET = dict(integrator="verlet", dt=2e-7)
@@ -299,5 +299,4 @@ def test_no_ball_leaves_its_pocket_on_soft_housings_or_in_a_shock(tmp_path, chan
 )
 def test_bad_data_are_refused(tmp_path, changes, message):
     outcome = liggghts(DECK, out=tmp_path, **changes)
-    assert outcome.code != 0
-    assert re.search(message, outcome.error), outcome.error
+    refused(outcome, message)

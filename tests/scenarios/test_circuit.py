@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import raceway
-from host import ROOT, run
+from host import ROOT, deck_file, run
 from raceway.electric import circuit
 from raceway.electric.breakdown import Breakdown
 from raceway.electric.leak import Leak
@@ -288,8 +288,7 @@ def test_a_group_of_two_bearings(tmp_path):
     text = (ROOT / "tests/implicit/in.ranks").read_text()
     before = "variable n equal step"
     assert text.count(before) == 1
-    deck = tmp_path / "in.two"
-    deck.write_text(text.replace(before, RECORD.format(tmp_path / "rec") + before))
+    deck = deck_file(tmp_path, text.replace(before, RECORD.format(tmp_path / "rec") + before))
     end = run(deck, out=tmp_path, bearings=2, xhi=0.18)
     assert end.code == 0, end.text[-2000:]
     two = raceway.open(tmp_path / "rec")

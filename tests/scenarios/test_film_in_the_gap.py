@@ -7,7 +7,7 @@ import re
 
 import numpy as np
 import pytest
-from host import BOX, ROOT, run, succeed
+from host import BOX, ROOT, deck_file, run, succeed
 from raceway import contact_law, inputs
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
@@ -118,8 +118,7 @@ FULL = (
 def fixed_step(tmp_path):
     """Return a function that runs a deck with a fixed step and returns (exit code, rows (step
     number, largest load, limit of the step, friction power))."""
-    deck = tmp_path / "in.longest"
-    deck.write_text(LONGEST)
+    deck = deck_file(tmp_path, LONGEST)
 
     def rows_of(step, rpm, friction="friction none", steps=400):
         case = {"rpm": rpm, "shift": 3.4e-5, "friction": friction}

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from host import ROOT, frames, liggghts, succeed
+from host import ROOT, deck_file, frames, liggghts, succeed
 
 DECK = "tests/scenarios/in.flaw"
 RACEWAY, BALL, ORBIT = 36.6e-3, 6.3e-3, 30.3e-3  # m
@@ -332,8 +332,9 @@ def test_one_pit_a_contact(tmp_path):
 
 
 def test_balls_only(tmp_path):
-    deck = tmp_path / "in.ring"
-    deck.write_text((ROOT / DECK).read_text().replace("fix flaw_ball balls", "fix flaw_ball outer"))
+    deck = deck_file(
+        tmp_path, (ROOT / DECK).read_text().replace("fix flaw_ball balls", "fix flaw_ball outer")
+    )
     failed = liggghts(
         deck, out=tmp_path / "out", flaw="none", flaw_ball="ball wave 2 1e-7 0", steps=10
     )

@@ -9,11 +9,11 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from bearings import B6208
 from host import succeed
 from raceway import beam, beam_motion, bending_file, shaft, shaft_bending, static
 from raceway.theory.beam import Disc, Section, Steel
 from shaft_runs import (
-    B6208,
     BITS,
     DECK,
     ENERGY,

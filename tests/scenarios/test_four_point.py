@@ -5,8 +5,9 @@ docs/decks/in.four_point reverses a thrust; the tests apply other loads in a cop
 import numpy as np
 import pytest
 import raceway
+from bearings import B6208
 from host import ROOT, frames, succeed
-from raceway import bearing, electric_point, electrical, static, whole_capacitance
+from raceway import electric_point, electrical, static, whole_capacitance
 from raceway.electric import circuit
 from raceway.electric.breakdown import Breakdown
 from raceway.electric.leak import Leak
@@ -17,7 +18,6 @@ from raceway.export import particles
 from raceway.runs.columns import _TABLES
 
 DECK = ROOT / "docs/decks/in.four_point"
-B6208 = bearing.Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 FOUR = B6208.four_point(np.radians(35))
 STRAIGHT = dict.fromkeys(("x", "y", "rx", "ry"), 0.0)
 LIMIT = 400.0  # N, largest thrust

@@ -110,7 +110,7 @@ def test_heat_of_four_points(tmp_path):
 
 # ---- double row
 ROWS = DoubleRow(0.018, 8e-6)
-ANGLE, SPIN = np.radians(40), 20 * np.pi
+SPIN = 20 * np.pi
 COLUMNS = "friction_power rolling_power hysteresis_power spin_power drag_power"
 LOADS = {"across": 400.0, "thrust": 300.0, "moment": 4.0}
 

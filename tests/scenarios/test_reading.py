@@ -5,9 +5,9 @@ power balance, and the trajectory in MDAnalysis."""
 import numpy as np
 import pytest
 import raceway
+from commands import reply
 from host import succeed
 from raceway import losses, spectrum
-from raceway.cli import main
 
 
 @pytest.fixture(scope="module")
@@ -53,8 +53,7 @@ def test_a_perfect_bearing_has_no_other_line(long):
 
 
 def test_command(long, capsys):
-    assert main(["spectrum", str(long.tables.folder), "--signal", "x"]) == 0
-    assert "BPFO x3" in capsys.readouterr().out
+    assert "BPFO x3" in reply(capsys, ["spectrum", str(long.tables.folder), "--signal", "x"])
 
 
 def test_datasets_agree_with_each_other(long):

@@ -9,12 +9,12 @@ shaft (x, rx ...) and its rings (x1, f2y ...).
 import numpy as np
 import pytest
 import yaml
+from bearings import B6208
 from host import succeed
 from raceway import shaft, static
 from raceway.theory.beam import Section, Steel
 from raceway.theory.bearing import DoubleRow
 from shaft_runs import (
-    B6208,
     BITS,
     DECK,
     ENERGY,

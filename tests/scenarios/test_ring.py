@@ -3,7 +3,7 @@
 motion, driven motion and conservation laws."""
 
 import numpy as np
-from host import BOX, succeed
+from host import BOX, deck_file, succeed
 
 MASS, AXIAL, ACROSS = 0.2, 1.2e-4, 6.5e-5  # kg, kg m^2
 BALL_MASS = 4 / 3 * np.pi * 6.3e-3**3 * 7800
@@ -44,8 +44,7 @@ fix report all print 50 "${t} ${x} ${y} ${z} ${vz} ${rx} ${ry} ${spin} ${angle}"
 
 def motion(tmp_path, commands, steps, **variables):
     """Return the columns t, x, y, z, vz, rx, ry, spin and angle of the inner ring."""
-    deck = tmp_path / "in.ring"
-    deck.write_text(DECK + commands + REPORT + f"run {steps}\n")
+    deck = deck_file(tmp_path, DECK + commands + REPORT + f"run {steps}\n")
     succeed(deck, out=tmp_path / "ring.txt", **variables)
     return np.loadtxt(tmp_path / "ring.txt").T
 
@@ -141,15 +140,15 @@ def test_free_bearing_keeps_its_momentum(tmp_path):
     conserved to within rounding, i.e. about 1e5 additions with errors of 1e-16 relative to the
     largest single momentum."""
     free = "mass 0.2 inertia 1.2e-4 6.5e-5 x free y free z free rx free ry free spin free"
-    deck = tmp_path / "in.free"
-    deck.write_text(
+    deck = deck_file(
+        tmp_path,
         DECK
         # the balls are initially at rest, so they slip
         + "fix inner inner bearing/ring spin speed 300\nrun 0\nunfix inner\nfix inner inner"
         f" bearing/ring {free}\nfix outer outer bearing/ring {free}\nvelocity inner set 0.01 0.02"
         " 0.005\ndump all all custom 500 ${out} id type x y z vx vy vz omegax omegay"
         ' omegaz\ndump_modify all format "%d %d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g'
-        ' %.17g" sort id\ntimestep 2.0e-7\nrun 5000\n'
+        ' %.17g" sort id\ntimestep 2.0e-7\nrun 5000\n',
     )
     succeed(deck, out=tmp_path / "all.dump", play=-1e-5)
     lines = (tmp_path / "all.dump").read_text().splitlines()

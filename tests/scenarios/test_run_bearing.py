@@ -9,7 +9,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from host import ENVIRONMENT, HOSTS, ROOT, liggghts, succeed
+from host import ENVIRONMENT, HOSTS, ROOT, liggghts, refused, succeed
 from scipy.io import netcdf_file
 
 DECK = "tests/scenarios/in.run"
@@ -313,6 +313,5 @@ def test_auto_in_other_hosts(host, tmp_path):
 )
 def test_errors_before_anything_runs(scene, message, tmp_path):
     failed = liggghts(DECK, out=tmp_path, **scene)
-    assert failed.code != 0
-    assert re.search(message, failed.error), failed.error
+    refused(failed, message)
     assert "Settling" not in failed.text

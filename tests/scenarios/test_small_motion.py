@@ -5,12 +5,11 @@ statics that include films. Friction is small, because statics neglects it."""
 import numpy as np
 import pytest
 import raceway
+from bearings import B6208
 from host import succeed
 from raceway import lubrication, ring_fit, ring_response, small_motion, static
 from raceway.inputs import Oil
-from raceway.theory.bearing import Bearing
 
-B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 OIL = Oil(0.03969, 22.57e-9, 2.25, 1e-7)
 SPIN, CLEARANCE = 100 * np.pi, 20e-6
 # Hz, frequencies in the deck, in the order of the matrices

@@ -7,8 +7,8 @@ import math
 
 import numpy as np
 import pytest
-from host import ROOT, run, succeed
-from raceway.cli import main
+from commands import reply
+from host import ROOT, deck_file, run, succeed
 from raceway.runs.statics import PLACES, statics
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
@@ -42,8 +42,7 @@ def test_the_point_of_the_run(tmp_path, capsys, azimuth):
     places = []
     for place in range(PLACES):
         phase = 2 * math.pi / 9 * place / PLACES
-        assert main(["static", *options.split(), repr(phase)]) == 0
-        places.append(json.loads(capsys.readouterr().out))
+        places.append(json.loads(reply(capsys, ["static", *options.split(), repr(phase)])))
 
     def mean(key):
         return np.mean([one[key] for one in places])
@@ -155,8 +154,7 @@ def test_preloaded_pair(tmp_path):
     """Rings of angular contact bearings start where their balls touch both raceways. Statics counts
     this displacement along the axis once. In the first bearing the balls that carry little load
     have not settled."""
-    deck = tmp_path / "in.pair"
-    deck.write_text(PAIR)
+    deck = deck_file(tmp_path, PAIR)
     done = run(deck, out=tmp_path, models=None, settle=None)
     assert done.code == 0, done.error
     for bearing in (1, 2):
@@ -183,8 +181,7 @@ def test_none(tmp_path, why, capsys):
     succeed("inputs/in.6208", out=tmp_path, **{**SHORT, **NONE[why]})
     _, found, said = beside(tmp_path)
     assert not found and said == why
-    assert main(["summary", str(tmp_path)]) == 0
-    assert f"not available for this run: {why}" in capsys.readouterr().out
+    assert f"not available for this run: {why}" in reply(capsys, ["summary", str(tmp_path)])
 
 
 def test_speed_that_changes(tmp_path):

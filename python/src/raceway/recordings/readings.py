@@ -28,7 +28,6 @@ QUANTITIES = (*orders.LINES, "capacitance", "temperature")
 UNITS = {"capacitance": "F", "temperature": "C"}  # lines are in orders of the shaft speed
 LINE = (1e-3, 1e3)  # range of a line in orders
 POSSIBLE = {"capacitance": (0.0, 1e-6), "temperature": (-60.0, 300.0)}  # ranges of a reading
-MORE = ("load_more", "axial_more")
 FILE = ("file", "line", "rate", "nominal", "channel")
 
 
