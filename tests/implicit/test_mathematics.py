@@ -340,27 +340,26 @@ def test_between_steps_an_axis_turns_to_fourth_order(lib):
         assert 15 < coarse / fine < 17
 
 
+def flawed(lib, overlap, off_middle, width, of_ball):
+    """Return the matrix of a ball on a flaw, its differences and its transposed part."""
+    found = lib.call(
+        "flawed_system",
+        notch=np.array([1e-3, width, 1e-4, 5e-5]),
+        of_ball=of_ball,
+        off_middle=off_middle,
+        overlap=overlap,
+        h=1e-5,
+    )
+    return [part.reshape(6, -1) for part in found]
+
+
 @pytest.mark.parametrize("width", [0, 3e-4], ids=["full", "pit"])
 @pytest.mark.parametrize("off_middle", [-4e-4, 1e-5, 2e-4, 2e-3])
 def test_derivatives_over_a_flaw(lib, off_middle, width):
     """The matrix of the implicit step includes the slope and the curvature of a flaw, on a flank,
     at an edge and on a wave. It also includes the motion of the ring with the flaw."""
-
-    def found(overlap):
-        return [
-            part.reshape(6, -1)
-            for part in lib.call(
-                "flawed_system",
-                notch=np.array([1e-3, width, 1e-4, 5e-5]),
-                of_ball=0,
-                off_middle=off_middle,
-                overlap=overlap,
-                h=1e-5,
-            )
-        ]
-
-    matrix, differences, transposed = found(2.5e-5)
-    mass, frame, _ = found(-2e-4)  # without contact
+    matrix, differences, transposed = flawed(lib, 2.5e-5, off_middle, width, 0)
+    mass, frame, _ = flawed(lib, -2e-4, off_middle, width, 0)  # without contact
     force, want = (matrix - mass)[:3], (differences - frame)[:3]
     stiff = want[0, 0]
     # the matrix rotates the force as the ball moves around, whereas the ball's frame already does
@@ -380,22 +379,8 @@ def test_derivatives_over_a_flaw_of_the_ball(lib, off_middle, width):
     """For a flaw of a ball, the ball's spin about the axis replaces its motion along the
     raceway.
     """
-
-    def found(overlap):
-        return [
-            part.reshape(6, -1)
-            for part in lib.call(
-                "flawed_system",
-                notch=np.array([1e-3, width, 1e-4, 5e-5]),
-                of_ball=1,
-                off_middle=off_middle,
-                overlap=overlap,
-                h=1e-5,
-            )
-        ]
-
-    matrix, differences, transposed = found(2.5e-5)
-    mass, frame, _ = found(-2e-4)  # without contact
+    matrix, differences, transposed = flawed(lib, 2.5e-5, off_middle, width, 1)
+    mass, frame, _ = flawed(lib, -2e-4, off_middle, width, 1)  # without contact
     force, want = matrix - mass, differences - frame
     stiff, radius = want[0, 0], 6.3e-3
     for row, unit_row in ((0, 1.0), (1, 1.0), (5, radius)):

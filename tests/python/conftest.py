@@ -52,3 +52,15 @@ def small_blocks(monkeypatch):
     """Read records in blocks of a few samples: the results must not depend on the block
     boundaries."""
     monkeypatch.setattr("raceway.runs.record.BLOCK", 60_000)
+
+
+@pytest.fixture
+def panels(monkeypatch):
+    """Return a function that returns the panels of the last picture, keyed by title."""
+    from raceway.pictures.style import plt  # loading matplotlib takes long
+
+    kept, close = [], plt.close
+    monkeypatch.setattr(plt, "close", kept.append)
+    yield lambda: {panel.get_title(loc="left"): panel for panel in kept[-1].axes}
+    for figure in kept:
+        close(figure)

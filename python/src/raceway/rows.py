@@ -102,10 +102,14 @@ def several(
     columns = [c for c in columns if c[0] not in optional or any(one[c[0]] for one in results)]
     rows = [[heading for _, heading, _ in columns]]
     rows += [[_plain(one.get(key), scale) for key, _, scale in columns] for one in results]
-    widths = [max(map(len, column)) for column in zip(*rows)]
-    text = ["  ".join(cell.rjust(n) for cell, n in zip(one, widths)) for one in rows]
     said = dict.fromkeys(one for result in results for one in result["warnings"])
-    return "\n".join([*text, *warning_lines(said)])
+    return "\n".join([*aligned(rows, ""), *warning_lines(said)])
+
+
+def aligned(rows: Sequence[Sequence[str]], indent: str = "  ") -> list[str]:
+    """Return the lines of a table whose cells are aligned to the right."""
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return [indent + "  ".join(cell.rjust(n) for cell, n in zip(one, widths)) for one in rows]
 
 
 def warning_lines(texts: Collection[str]) -> list[str]:

@@ -216,19 +216,12 @@ def _check(arguments):
         complain("give --rpm: a film needs a speed")
     if not all(point.get("load") or point.get("axial") for point in options.points(arguments)):
         complain("a load is needed: give --load or --axial")
-    if (arguments.c_wr is None) != (arguments.c_rf is None):
-        complain("--c-wr and --c-rf must be given together")
-    if (arguments.kind is None) != (arguments.out is None):
-        complain("--kind and --out must be given together")
+    electric_run.check_pairs(arguments)
     several = _several(arguments)
     if arguments.kind == "parts" and len(several) != 1:
         complain("--kind parts needs several values of one quantity, for example --rpm 100 1000")
     if arguments.kind in ("field", "bode", "reading") and several:
         complain(f"--kind {arguments.kind} applies to a single operating point")
-    if arguments.kind == "field" and arguments.voltage is None:
-        complain("--kind field: give --voltage")
-    if arguments.kind == "bode" and math.isinf(arguments.resistivity):
-        complain("--kind bode: give --resistivity")
     if arguments.measured_impedance:
         if arguments.measured is not None or arguments.frequency is None:
             complain("--measured-impedance needs --frequency and excludes --measured")

@@ -51,12 +51,18 @@ def _check(arguments):
         if getattr(arguments, name) != arguments.unset(name):
             option = f"--{name.replace('_', '-')}"
             complain(f"{option} is part of the run; leave out this option or DIR")
+    check_pairs(arguments)
+    if arguments.kind == "reading":
+        complain("--kind reading applies to an operating point, not to a run")
+
+
+def check_pairs(arguments: argparse.Namespace) -> None:
+    """Check the options that are needed together, for a run or an operating point."""
+    complain = arguments.complain
     if (arguments.c_wr is None) != (arguments.c_rf is None):
         complain("--c-wr and --c-rf must be given together")
     if (arguments.kind is None) != (arguments.out is None):
         complain("--kind and --out must be given together")
-    if arguments.kind == "reading":
-        complain("--kind reading applies to an operating point, not to a run")
     if arguments.kind == "field" and arguments.voltage is None:
         complain("--kind field: give --voltage")
     if arguments.kind == "bode" and math.isinf(arguments.resistivity):

@@ -237,6 +237,17 @@ def cleanliness(to: Any) -> None:
     )
 
 
+def band(to: Any) -> None:
+    """Add --band, the frequency range of an envelope."""
+    to.add_argument(
+        "--band",
+        type=number(1e-3, 1e8, "Hz"),
+        nargs=2,
+        metavar=("LOW", "HIGH"),
+        help="band of the envelope in hertz (default: the most impulsive band)",
+    )
+
+
 def inputs(to: Any) -> None:
     """Add --inputs, the folder in which bearings and lubricants are searched for."""
     to.add_argument(

@@ -41,13 +41,7 @@ def add(to: Any, bearing: bool = True) -> None:
     to.add_argument(
         "--channel", default="", metavar="NAME", help="channel of the file (default: the first)"
     )
-    to.add_argument(
-        "--band",
-        type=number(1e-3, 1e8, "Hz"),
-        nargs=2,
-        metavar=("LOW", "HIGH"),
-        help="band of the envelope in hertz (default: the most impulsive band)",
-    )
+    options.band(to)
 
 
 def opened(arguments: argparse.Namespace) -> "Recording":

@@ -8,6 +8,7 @@ from typing import Any
 
 from raceway.commands import options
 from raceway.commands.quantity import number
+from raceway.rows import aligned
 from raceway.units import prefixed
 
 HELP = "compute loads, tilt and life of bearings on one shaft, without a simulation"
@@ -253,7 +254,7 @@ def table(result: dict[str, Any]) -> str:
     rows += [
         [_cell(row.get(key), unit, least) for key, _, unit in shown] for row in result["bearings"]
     ]
-    text = ["Bearings", *_block(rows), "", "Shaft"]
+    text = ["Bearings", *aligned(rows), "", "Shaft"]
     rows = [["z", "x", "y", "z", "tilt x", "tilt y"]]
     units = ("m", "m", "m", "rad", "rad")
     least = _noise(pair for place in result["place"] for pair in zip(place, units))
@@ -269,13 +270,13 @@ def table(result: dict[str, Any]) -> str:
     return "\n".join(
         [
             *text,
-            *_block(rows),
+            *aligned(rows),
             "",
             f"Natural frequencies at {result['rpm']:g} rpm",
-            *_block(modes),
+            *aligned(modes),
             "",
             f"Critical speeds up to {FASTEST * 30 / math.pi:.2g} rpm",
-            *_block(critical or [["none"]]),
+            *aligned(critical or [["none"]]),
             "",
             rigid_line(body),
         ]
@@ -293,7 +294,7 @@ def over_speed(results: list[dict[str, Any]]) -> str:
         modes = [prefixed(mode["frequency_Hz"], "Hz") for mode in one["modes"]]
         modes += ["-"] * (SHOWN - len(modes))
         rows.append([f"{one['rpm']:g}", *(prefixed(value, "N/m") for value in stiff), *modes])
-    return "\n".join(line[2:] for line in _block(rows))
+    return "\n".join(aligned(rows, ""))
 
 
 def rigid_figures(rigid: Any) -> dict[str, float]:
@@ -314,11 +315,6 @@ def rigid_line(body: dict[str, float]) -> str:
         f" inertia {body['axial_kg_m2']:.4g} about the axis, {body['transverse_kg_m2']:.4g}"
         " kg m2 across it"
     )
-
-
-def _block(rows):
-    widths = [max(map(len, column)) for column in zip(*rows)]
-    return ["  " + "  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
 
 
 def _noise(values):

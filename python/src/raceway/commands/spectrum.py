@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from raceway.commands import one_run
+from raceway.commands import one_run, options
 from raceway.commands.quantity import number
 from raceway.units import prefixed
 
@@ -76,13 +76,7 @@ def add(one: argparse.ArgumentParser) -> None:
         action="store_true",
         help="compute the spectrum of the signal's envelope, with sidebands",
     )
-    one.add_argument(
-        "--band",
-        type=number(1e-3, 1e8, "Hz"),
-        nargs=2,
-        metavar=("LOW", "HIGH"),
-        help="band of the envelope in hertz (default: the most impulsive band)",
-    )
+    options.band(one)
     one.add_argument("--json", action="store_true", help="print a JSON list instead of a table")
     one.add_argument(
         "--kind",

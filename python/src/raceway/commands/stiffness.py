@@ -131,6 +131,7 @@ def table(points: list) -> str:
 
     The stiffness along y is shown with its range over a ball pass.
     """
+    from raceway.rows import aligned
     from raceway.units import prefixed
 
     damped = any(one.over.mean.damping.any() for one in points)
@@ -145,5 +146,4 @@ def table(points: list) -> str:
             *(prefixed(value, "N/m") for value in stiff),
         ]
         rows.append(row + [prefixed(c[axis, axis], "N s/m") for axis in range(3) if damped])
-    widths = [max(map(len, column)) for column in zip(*rows)]
-    return "\n".join("  ".join(cell.rjust(w) for cell, w in zip(row, widths)) for row in rows)
+    return "\n".join(aligned(rows, ""))

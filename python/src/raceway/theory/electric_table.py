@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from raceway.rows import Row, lines, row, several, warning_lines
+from raceway.rows import Row, aligned, lines, row, several, warning_lines
 from raceway.units import prefixed
 
 TOPICS = {
@@ -94,15 +94,10 @@ def table(result: Mapping[str, Any]) -> str:
                 ),
             ]
         )
-    text = [*lines(shown, TOPICS), "", "Balls", *_aligned(rows)]
+    text = [*lines(shown, TOPICS), "", "Balls", *aligned(rows)]
     return "\n".join(text + warning_lines(result["warnings"]))
 
 
 def curves(results: Sequence[Mapping[str, Any]]) -> str:
     """Format several results of `figures` as text, with one line per result."""
     return several(results, COLUMNS, optional=("axial_N",))
-
-
-def _aligned(table):
-    widths = [max(map(len, column)) for column in zip(*table)]
-    return ["  " + "  ".join(cell.rjust(n) for cell, n in zip(one, widths)) for one in table]

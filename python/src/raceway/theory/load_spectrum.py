@@ -16,6 +16,7 @@ import numpy as np
 
 from raceway.errors import InputError, RacewayError
 from raceway.files import FilePath
+from raceway.rows import aligned
 from raceway.theory import life
 from raceway.units import prefixed
 
@@ -182,12 +183,10 @@ def table(found: Mapping[str, Any]) -> str:
                 f"{one[LIFE]:.4g}",
             ]
         )
-    widths = [max(map(len, column)) for column in zip(*rows)]
-    text = ["  " + "  ".join(cell.rjust(w) for cell, w in zip(row, widths)) for row in rows]
     return "\n".join(
         [
             "Points",
-            *text,
+            *aligned(rows),
             "",
             "Spectrum",
             f"  {'equivalent load':<32}{prefixed(found['equivalent_load_N'], 'N'):>14}"

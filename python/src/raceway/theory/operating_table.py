@@ -5,7 +5,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from raceway.rows import Row, lines, row, several, warning_lines
+from raceway.rows import Row, aligned, lines, row, several, warning_lines
 from raceway.sweeps import variable_table
 from raceway.theory import models
 from raceway.units import prefixed
@@ -185,8 +185,7 @@ def _table_of_balls(balls):
     rows = [["ball", *(heading for _, heading, _ in shown)]]
     for number, one in found:
         rows.append([number, *(_cell(one[key], unit) for key, _, unit in shown)])
-    widths = [max(map(len, column)) for column in zip(*rows)]
-    return ["  " + "  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
+    return aligned(rows)
 
 
 def _cell(value, unit):
