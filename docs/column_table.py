@@ -166,7 +166,8 @@ def range_of_variable(row: dict) -> str:
     first, *rest = row["range"].split() or [""]
     if first == "one_of":
         return ", ".join(rest)
-    return f"{first} to {' '.join(rest)}".replace(" or ", ", or ") if rest else ""
+    text = f"{first} to {' '.join(rest)}" if rest else ""
+    return text.replace(" or ", ", or ").replace(" whole", ", whole")
 
 
 def of_deck(name: str) -> dict[str, str]:
