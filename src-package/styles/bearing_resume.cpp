@@ -17,7 +17,7 @@ void BearingResume::command(int narg, char **arg)
     args.fail("a folder's name is one word without blanks, not '" + file + " " + args.next() + "'");
   const bool asked = args.take("resume") && yes("resume");
   const bool overwrite = args.take("overwrite") && yes("overwrite");
-  if (args.more()) args.unknown("resume, overwrite");
+  if (args.more()) args.unknown();
   const std::string folder = std::filesystem::path(file).parent_path().string();
   bearing::claim_result_folder(lmp, args, folder.empty() ? "." : folder);
   const bool on = bearing::goes_on(lmp, args, {file, asked, overwrite});

@@ -7,6 +7,7 @@
 #include "../core/settings/written.h"
 #include "named_bearing.h"
 #include "pair_bearing.h"
+#include "print_line.h"
 
 #include <algorithm>
 #include <sstream>
@@ -51,7 +52,7 @@ void CreateBearing::command_named(Arguments &args)
     else if (args.take("phase")) more += " phase " + (phase = args.value_of("phase"));
     else if (args.take("centre"))
       for (int k = 0; k < 3; ++k) more += (k ? " " : " centre ") + args.word("centre (m)");
-    else args.unknown("speed, thrust, phase, centre, groups");
+    else args.unknown();
   }
   pair->set_speed(b.name, speed[0] - speed[1]);
   more += " thrust " + bearing::digits(thrust);
@@ -156,8 +157,7 @@ CreateBearing::Plan CreateBearing::parse(Arguments &args)
     } else if (args.take("resumed")) {
       p.resumed = args.choice("resumed", {"no", "yes", "0", "1"}) % 2 == 1;
     } else {
-      args.unknown("balls, diameter, density, cage, cage_density, centre, phase, speed, seat, "
-                   "thrust, cage_ring, groups, resumed");
+      args.unknown();
     }
   }
   if (p.ring_cage && p.cage_type)
@@ -331,13 +331,9 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
   bigint n = atom->nlocal;
   MPI_Allreduce(&n, &atom->natoms, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (atom->map_style) bearing::map_atoms(lmp, first, before, next_tag_ - 1);
-  if (comm->me == 0) {
-    const std::string say = "Created a bearing: " + std::to_string(p.balls) + " balls" +
-                            (p.cage_type ? ", as many cage balls" : "") +
-                            (p.ring_cage ? ", a cage" : "") + ", two rings\n";
-    if (screen) fputs(say.c_str(), screen);
-    if (logfile) fputs(say.c_str(), logfile);
-  }
+  bearing::print_line(lmp, "Created a bearing: " + std::to_string(p.balls) + " balls" +
+                               (p.cage_type ? ", as many cage balls" : "") +
+                               (p.ring_cage ? ", a cage" : "") + ", two rings");
 }
 
 void CreateBearing::add(int type, const Vec3 &x, double radius, double mass, const Vec3 &v,

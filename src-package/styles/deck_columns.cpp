@@ -63,7 +63,7 @@ void BearingDump::command(int narg, char **arg)
   while (args.more()) {
     if (args.take("append")) append = args.choice("append", {"no", "yes"}) == 1;
     else if (args.take("columns")) names = args.word("name of a variable");
-    else args.unknown("append, columns");
+    else args.unknown();
   }
   const Columns of = columns_of(lmp, args, source);
   if (!names.empty()) {

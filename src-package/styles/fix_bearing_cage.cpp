@@ -58,7 +58,7 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
       poisson_[0] = args.within("Poisson's ratio of the cage balls", 0.0, 0.5);
       poisson_[1] = args.within("Poisson's ratio of the rails", 0.0, 0.5);
     } else {
-      args.unknown("rail, tube, gap, young, poisson");
+      args.unknown();
     }
   }
 }

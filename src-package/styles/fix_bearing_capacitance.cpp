@@ -96,9 +96,7 @@ void FixBearingCapacitance::read_options(Arguments &args)
     } else if (args.take("contacts")) {
       contacts_name_ = args.word("name of the file for contacts");
     } else {
-      args.unknown("permittivity, permittivity_at, surroundings, outlet, shoulders, roughness, "
-                   "background, film_floor, resistivity, frequency, strength, within, file, "
-                   "contacts");
+      args.unknown();
     }
   }
   if (within_ > 1 && nevery != 1)

@@ -13,6 +13,7 @@
 #include "fixes.h"
 #include "output.h"
 #include "pair_bearing_hertz.h"
+#include "print_line.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -69,9 +70,7 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
           files_.push_back((fs::path(file_).parent_path() / name).string());
     } else if (args.take("files"))
       while (args.more()) files_.push_back(args.word("file"));
-    else
-      args.unknown(std::string("restart, ") + (waits() ? "keep, " : "") +
-                   "resume, last, settings, mean, count, balance, files");
+    else args.unknown();
   }
   for (int k = 0; k < modify->nfix; ++k)
     if (const Fix *f = modify->fix[k])
@@ -253,13 +252,9 @@ void FixBearingCheckpoint::stop()
     BRG_ONE(command_ + ": stopped without a restart file: a 'restart' command after this fix has " +
             "replaced it");
   publish();
-  if (comm->me == 0) {
-    const std::string say = std::string("Stopped by signal ") + strsignal(StopSignal::caught()) +
-                            " after step " + std::to_string(update->ntimestep) +
-                            "; -var resume yes continues from " + file_ + "\n";
-    if (screen) fputs(say.c_str(), screen);
-    if (logfile) fputs(say.c_str(), logfile);
-  }
+  bearing::print_line(lmp, std::string("Stopped by signal ") + strsignal(StopSignal::caught()) +
+                               " after step " + std::to_string(update->ntimestep) +
+                               "; -var resume yes continues from " + file_);
   MPI_Finalize();
   exit(128 + StopSignal::caught());    // the exit code that a shell uses to report a signal
 }

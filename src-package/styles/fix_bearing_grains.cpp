@@ -31,8 +31,7 @@ FixBearingGrains::FixBearingGrains(LAMMPS *lmp, int narg, char **arg) :
   while (args.more()) {
     if (args.take("drum")) read_wall(args, true);
     else if (args.take("blades")) read_wall(args, false);
-    else if (!bearing::take_grain_keyword(args, wall_law_))
-      args.unknown("drum, blades, stiffness, restitution, friction");
+    else if (!bearing::take_grain_keyword(args, wall_law_)) args.unknown();
   }
   if (!walls_.empty() && wall_law_.stiffness == 0.0)
     args.fail("'stiffness K' (N/m) of the walls is missing");

@@ -65,9 +65,7 @@ void FixBearingHeat::read(Arguments &args)
   else if (args.take("warm_change")) control_.change = args.number_of("warm_change");
   else if (args.take("warm_error")) control_.error = args.number_of("warm_error");
   else if (args.take("file")) file_name_ = args.word("name of the file");
-  else
-    args.unknown("heat, ambient, cooling, shaft_cooling, seat, housing_capacity, oil_flow, "
-                 "oil_inlet, warm_start, warm_time, warm_change, warm_error, file");
+  else args.unknown();
 }
 
 int FixBearingHeat::setmask() { return idle_ ? 0 : INITIAL_INTEGRATE | END_OF_STEP; }

@@ -7,6 +7,7 @@
 #include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
+#include "print_line.h"
 
 #include <algorithm>
 
@@ -87,12 +88,9 @@ void FixBearingImplicit::read(Arguments &args)
   else if (sampling_ > 0.0 && args.take("sampling")) sampling_ = args.number_of("sampling");
   else if (sampling_ > 0.0 && args.take("oversampling"))
     oversampling_ = args.number_of("oversampling");
-  else if (args.take("sampling") || args.take("oversampling"))
+  else if (args.next() == "sampling" || args.next() == "oversampling")
     args.fail("sampling and oversampling belong to fix bearing/vibration");
-  else
-    args.unknown("solve, tolerance, relative, error, control, cage_tolerance, order, corrections, "
-                 "largest, creep, energy" +
-                 std::string(sampling_ > 0.0 ? ", sampling, oversampling" : ""));
+  else args.unknown();
 }
 
 FixBearingImplicit::~FixBearingImplicit() = default;
@@ -130,13 +128,10 @@ void FixBearingImplicit::init()
   find_rings();
   instants_ = bearing::Instants();
   readers_.clear();
-  if (pair_->coefficients().smooth_friction(creep_) && comm->me == 0) {
-    const std::string say = std::string("fix ") + id +
-                            " bearing/implicit: friction smoothed over a creep of " + text(creep_) +
-                            " of the entrainment speed\n";
-    if (screen) fputs(say.c_str(), screen);
-    if (logfile) fputs(say.c_str(), logfile);
-  }
+  if (pair_->coefficients().smooth_friction(creep_))
+    bearing::print_line(lmp, std::string("fix ") + id +
+                                 " bearing/implicit: friction smoothed over a creep of " +
+                                 text(creep_) + " of the entrainment speed");
 }
 
 // Finds the fixes whose rings are in the group. The list is the same on all ranks, although ranks

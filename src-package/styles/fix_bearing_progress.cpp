@@ -24,7 +24,7 @@ FixBearingProgress::FixBearingProgress(LAMMPS *lmp, int narg, char **arg) : Fix(
   while (args.more()) {
     if (args.take("title")) title_ = args.word("title");
     else if (args.take("share")) share_ = DrivenValue::read(args, "share");
-    else args.unknown("title, share");
+    else args.unknown();
   }
 }
 

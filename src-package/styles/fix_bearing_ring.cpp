@@ -26,7 +26,7 @@ FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg) :
   Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   bearing::RingWords words(args, axes_, settings_, true);
   while (args.more())
-    if (!words.take()) args.unknown(words.known());
+    if (!words.take()) args.unknown();
   words.finish(usual_body());
   settings_are_read();
 }

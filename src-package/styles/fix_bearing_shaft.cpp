@@ -24,8 +24,7 @@ FixBearingShaft::FixBearingShaft(LAMMPS *lmp, int narg, char **arg) :
   bearing::Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   bearing::RingWords words(args, axes_, settings_, false);
   while (args.more())
-    if (!shaft_.take(args) && !words.take())
-      args.unknown(words.known() + ", centre, load, flexible");
+    if (!shaft_.take(args) && !words.take()) args.unknown();
   if (!shaft_.file.empty()) {
     shaft_.read_file(args, settings_.program);
     bend_.resize(modes().size());

@@ -32,7 +32,7 @@ FixBearingTimestep::FixBearingTimestep(LAMMPS *lmp, int narg, char **arg) :
     } else if (args.take("exceed")) {
       exceed_ = args.choice("exceed", {"ignore", "warn", "stop"});
     } else {
-      args.unknown("safety, adapt, max, exceed");
+      args.unknown();
     }
   }
   time_depend = adapt_ ? 1 : 0;

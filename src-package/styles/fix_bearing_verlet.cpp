@@ -26,8 +26,7 @@ FixBearingVerlet::FixBearingVerlet(LAMMPS *lmp, int narg, char **arg) : Fix(lmp,
       args.value_of("step_control");
       known = true;
     }
-    if (!known)
-      args.unknown("tolerance, relative_tolerance, cage_tolerance, step_error, step_control");
+    if (!known) args.unknown();
   }
 }
 

@@ -38,7 +38,7 @@ void NameBearing::command(int narg, char **arg)
       bool known = false;
       for (const char *key : {"clearance", "contact_angle", "four_point"})
         if (!known && (known = args.take(key))) own[key] = args.value_of(key);
-      if (!known) args.unknown("types, clearance, contact_angle, four_point, cage, inputs, vars");
+      if (!known) args.unknown();
     }
   }
   if (!b.balls) args.fail("'types BALLS CAGE INNER OUTER' is missing");

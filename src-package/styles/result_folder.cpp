@@ -4,6 +4,7 @@
 #include "../core/settings/folder_lock.h"
 #include "../core/settings/restart_sum.h"
 #include "../deck/agree.h"
+#include "print_line.h"
 #include "record_settings.h"
 
 #include <filesystem>
@@ -59,12 +60,9 @@ bool goes_on(LAMMPS *lmp, const Arguments &args, const ResumeRequest &ask)
   complaint = agree(complaint, lmp->world);
   if (!complaint.empty()) args.fail(complaint);
   MPI_Bcast(&there, 1, MPI_INT, 0, lmp->world);
-  if (ask.resume && is_first_rank(lmp)) {
-    const std::string say = there ? "Continuing from " + file + "\n"
-                                  : "There is no " + file + ": starting from the beginning\n";
-    if (lmp->screen) fputs(say.c_str(), lmp->screen);
-    if (lmp->logfile) fputs(say.c_str(), lmp->logfile);
-  }
+  if (ask.resume)
+    print_line(lmp, there ? "Continuing from " + file
+                          : "There is no " + file + ": starting from the beginning");
   return ask.resume && there;
 }
 

@@ -267,6 +267,14 @@ DECKS = {
         DRY + "fix r inner bearing/ring wobble 1\n",
         r"'wobble'; known: x, y, z, rx, ry, spin",
     ),
+    "unknown checkpoint keyword": (
+        DRY + "fix k all bearing/checkpoint 10 file wibble 1\n",
+        r"'wibble'; known: restart, resume, last, settings, mean, count, balance, files",
+    ),
+    "unknown grain keyword": (
+        DRY + "fix g all bearing/grains wibble 1\n",
+        r"'wibble'; known: drum, blades, stiffness, restitution, friction",
+    ),
     "no such variable": (
         DRY + "fix r inner bearing/ring spin speed v_none\nrun 0\n",
         r"fix r bearing/ring: there is no equal- or atom-style variable 'none'",

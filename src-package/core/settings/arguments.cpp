@@ -101,7 +101,13 @@ std::optional<std::string> Arguments::content(const std::string &file) const
 
 bool Arguments::take(const char *keyword)
 {
-  if (!more() || words_[next_] != keyword) return false;
+  if (!more()) return false;
+  if (asked_at_ != next_) asked_.clear();
+  asked_at_ = next_;
+  const std::string word = keyword;
+  if ((", " + asked_ + ",").find(", " + word + ",") == std::string::npos)
+    asked_ += (asked_.empty() ? "" : ", ") + word;
+  if (words_[next_] != word) return false;
   ++next_;
   return true;
 }

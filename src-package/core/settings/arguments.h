@@ -53,7 +53,10 @@ class Arguments {
   double number_of(const char *variable);
   int choice(const std::string &what, const std::vector<std::string> &allowed);
   void skip_rest() { next_ = words_.size(); }
-  [[noreturn]] void unknown(const std::string &allowed);    // error: the next word is not a keyword
+  // Stops with an error: the next word is none of the keywords that take() has looked for there, or
+  // none of the `allowed` ones.
+  [[noreturn]] void unknown() { unknown(asked_); }
+  [[noreturn]] void unknown(const std::string &allowed);
   [[noreturn]] void fail(const std::string &why) const;
   // Returns the text of a file on all ranks, or no value if the file is unreadable. Only rank 0
   // reads the file.
@@ -64,6 +67,8 @@ class Arguments {
   std::string command_;
   std::vector<std::string> words_;
   size_t next_ = 0;
+  std::string asked_;      // keywords that take() has looked for at one word, "a, b, c"
+  size_t asked_at_ = 0;    // index of that word
 
   void take_variables();
 };

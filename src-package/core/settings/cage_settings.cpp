@@ -69,8 +69,7 @@ void CageSettings::read(Arguments &args)
     } else if (args.take("planar")) {
       planar = args.choice("planar", {"no", "yes"}) == 1;
     } else {
-      args.unknown("pockets, play, across, shape, phase, mass, inertia, wall, young, poisson, "
-                   "friction, guide, oil, film, land_oil, churning, planar");
+      args.unknown();
     }
   }
   if (of.pockets == 0) args.fail("'pockets Z' is missing");

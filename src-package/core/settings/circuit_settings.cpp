@@ -107,8 +107,7 @@ CircuitSettings CircuitSettings::read(Arguments &args)
     } else if (args.take("events")) {
       s.events = args.word("file for the films that fail");
     } else {
-      args.unknown("voltage, second, second_factor, beside, stray, breakdown, surfaces, "
-                   "film_floor, arc, resistivity, metal, points, within, events");
+      args.unknown();
     }
   }
   if (driven != (s.outer != floating))

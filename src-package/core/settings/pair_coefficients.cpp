@@ -27,8 +27,7 @@ void PairCoefficients::read_style(Arguments &args)
   while (args.more()) {
     if (args.take("axis")) axis_ = args.choice("axis", {"x", "y", "z"});
     else if (args.take("overlap_limit")) overlap_limit_ = args.within("overlap_limit", 1e-4, 0.5);
-    else if (!read_raceway_keyword(args, with_film_, defaults_))
-      args.unknown("axis, overlap_limit, " + raceway_keywords(with_film_));
+    else if (!read_raceway_keyword(args, with_film_, defaults_)) args.unknown();
   }
 }
 
@@ -57,8 +56,7 @@ void PairCoefficients::read_coeff(Arguments &args, int types)
   while (args.more()) {
     if (args.take("gothic_arch"))
       arch = args.positive("distance of the groove centres from the ring's middle plane (m)");
-    else if (!read_raceway_keyword(args, with_film_, p))
-      args.unknown("gothic_arch, " + raceway_keywords(with_film_));
+    else if (!read_raceway_keyword(args, with_film_, p)) args.unknown();
   }
   if (with_film_ && p.model.lubricant.viscosity == 0.0)
     args.fail("bearing/ehd needs 'lubricant VISCOSITY PRESSURE_VISCOSITY' here or in pair_style; "
@@ -107,7 +105,7 @@ void PairCoefficients::read_spheres(Arguments &args, int i, int j)
   // eq. 3 as printed has an extra factor 1/(1 - nu), with nu of the rolling ball, which is the
   // first type
   s.factor = args.take("printed") ? 1.0 / (1.0 - s.nu1) : 1.0;
-  if (args.more()) args.unknown("printed");
+  if (args.more()) args.unknown();
   spheres_[std::minmax(i, j)] = s;
 }
 
@@ -125,7 +123,7 @@ void PairCoefficients::read_grains(Arguments &args, int i, int j)
 {
   GrainLaw law;
   while (args.more())
-    if (!take_grain_keyword(args, law)) args.unknown("stiffness, restitution, friction");
+    if (!take_grain_keyword(args, law)) args.unknown();
   if (law.stiffness == 0.0) args.fail("'stiffness K' (N/m) of the grains is missing");
   for (const int type : {i, j})
     if (is_named(type))

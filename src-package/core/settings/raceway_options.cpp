@@ -9,15 +9,6 @@ namespace bearing {
 
 namespace {
 
-std::vector<const KeywordEntry *> keywords_of(bool with_film)
-{
-  std::vector<const KeywordEntry *> list;
-  for (const PartEntry &part : part_table())
-    for (const KeywordEntry &k : part.keywords)
-      if (with_film || !part.film) list.push_back(&k);
-  return list;
-}
-
 double read(Arguments &args, const ParameterEntry &p)
 {
   if (!p.choices.empty()) return args.choice(p.meaning, p.choices);
@@ -73,24 +64,15 @@ void read_form(Arguments &args, const std::string &name, bool with_film, Raceway
 
 }    // namespace
 
-std::string raceway_keywords(bool with_film)
-{
-  std::string s, last;
-  for (const KeywordEntry *k : keywords_of(with_film)) {
-    if (k->name != last) s += (s.empty() ? "" : ", ") + k->name;
-    last = k->name;
-  }
-  return s;
-}
-
 bool read_raceway_keyword(Arguments &args, bool with_film, RacewayPhysics &p)
 {
-  for (const KeywordEntry *k : keywords_of(with_film)) {
-    if (!args.take(k->name.c_str())) continue;
-    if (k->form.empty()) read_values(args, *k, p);
-    else read_form(args, k->name, with_film, p);
-    return true;
-  }
+  for (const PartEntry &part : part_table())
+    for (const KeywordEntry &k : part.keywords) {
+      if ((part.film && !with_film) || !args.take(k.name.c_str())) continue;
+      if (k.form.empty()) read_values(args, k, p);
+      else read_form(args, k.name, with_film, p);
+      return true;
+    }
   return false;
 }
 

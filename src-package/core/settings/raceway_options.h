@@ -13,7 +13,4 @@ namespace bearing {
 // stribeck) are also accepted.
 bool read_raceway_keyword(Arguments &args, bool with_film, raceway::RacewayPhysics &p);
 
-// Returns a list of the keywords for use in error messages.
-std::string raceway_keywords(bool with_film);
-
 }    // namespace bearing

@@ -26,17 +26,6 @@ const char *RingWords::name_of(int dof) const
                                  : turn[axes_.lab_axis(dof - RingProgram::TILT)];
 }
 
-std::string RingWords::known() const
-{
-  return std::string("x, y, z, ") + name_of(RingProgram::TILT) + ", " +
-         name_of(RingProgram::TILT + 1) +
-         ", spin, mass, inertia, force, moment, rotating, unbalance, support, " +
-         (each_ ? "to, free, load, load_azimuth, axial, housing, housing_mass, housing_frequency, "
-                  "housing_damping, "
-                : "") +
-         "ramp";
-}
-
 void RingWords::read_freedom(const std::string &name, int dof)
 {
   Freedom &mode = to_.program.mode[dof];

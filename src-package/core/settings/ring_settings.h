@@ -43,7 +43,6 @@ class RingWords {
   // Sets and checks the values that depend on several words. Must be called after all words have
   // been read.
   void finish(const RingBody &usual);
-  std::string known() const;    // returns all keywords for messages
 
  private:
   using RingProgram = raceway::RingProgram;
