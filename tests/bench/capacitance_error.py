@@ -12,11 +12,10 @@ import sys
 from typing import NamedTuple
 
 import numpy as np
-from machine import bench_file
+from machine import csv_table, publish
 from raceway import capacitance, capacitance_exact, capacitance_outside, groove_width, hertz
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
-PATH = bench_file("capacitance_error.rst")
 SIZES = {"12.6 mm": 60.6e-3, "7.938 mm": 39.04e-3, "3.968 mm": 15e-3}  # {ball: pitch diameter (m)}
 CONFORMITIES = (0.505, 0.51, 0.52, 0.53, 0.54)
 SEPARATIONS = np.geomspace(20e-9, 2e-6, 7)  # m
@@ -47,28 +46,11 @@ ambient pressure. Each row covers {count} points: loads of {loads} N at seven fi
 
 The largest error in the first three columns is {worst:.2f} %; the stated limit is {promise:.1f} %.
 
-.. list-table:: largest error, %
-   :header-rows: 1
+The largest errors in per cent are:
 
-   * - ball diameter
-     - conformity
-     - raceway
-     - arc
-     - parabola
-     - rigid
-     - play
-     - left out
-{rows}
+{table}
 """
-ROW = """\
-   * - {size}
-     - {conformity:g}
-     - {raceway}
-     - {arc:.2f}
-     - {parabola:.2f}
-     - {rigid:.2f}
-     - {play:.2f}
-     - {left}"""
+HEADS = ("ball diameter", "conformity", "raceway", "arc", "parabola", "rigid", "play", "left out")
 
 
 class Errors(NamedTuple):
@@ -135,19 +117,11 @@ def _rigid(one, raceway, r_x, depth, widths, gaps):
     return float(np.abs(form / capacitance_exact.rigid_arc(one, raceway, gaps, depth) - 1).max())
 
 
-def line(size: str, conformity: float, raceway: int, found: Errors) -> str:
-    """Return the text of one row of the table."""
+def row(size: str, conformity: float, raceway: int, found: Errors) -> tuple[str, ...]:
+    """Return one row of the table."""
     left = ", ".join(f"{load:g} N" for load in found.left)
-    return ROW.format(
-        size=size,
-        conformity=conformity,
-        raceway=("inner", "outer")[raceway],
-        arc=100 * found.arc,
-        parabola=100 * found.parabola,
-        rigid=100 * found.rigid,
-        play=100 * found.play,
-        left=left or "none",
-    )
+    percent = (f"{100 * error:.2f}" for error in found[:4])
+    return (size, f"{conformity:g}", ("inner", "outer")[raceway], *percent, left or "none")
 
 
 def main() -> int:
@@ -162,12 +136,9 @@ def main() -> int:
         depth=groove_width.USUAL_DEPTH,
         worst=100 * worst,
         promise=100 * PROMISE,
-        rows="\n".join(line(*place, one) for place, one in found.items()),
+        table="\n".join(csv_table(HEADS, [row(*place, one) for place, one in found.items()])),
     )
-    if "--print" in sys.argv[1:]:
-        print(page)
-    else:
-        PATH.write_text(page)
+    publish("capacitance_error.rst", page)
     return worst >= PROMISE
 
 

@@ -5,6 +5,7 @@ import platform
 import re
 import statistics
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
@@ -16,6 +17,11 @@ def bench_file(name):
     """Return the path of a page or picture, after creating its folder if that does not exist."""
     PAGES.mkdir(parents=True, exist_ok=True)
     return PAGES / name
+
+
+def publish(name, page):
+    """Write a page, or print it if the command line has the word --print."""
+    print(page) if "--print" in sys.argv else bench_file(name).write_text(page)
 
 
 def yardstick(rounds=9):

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 from deck_runs import cost, factor, run_deck
-from machine import bench_file, machine
+from machine import bench_file, csv_table, machine
 
 MODELS = ("paper", "full")
 ASKED = {47.75: 250.0, 477.5: 30.0, 9549.0: 2.0}  # {rpm: required real-time factor}
@@ -59,9 +59,6 @@ contact, relative to the largest load. Films are compared for contacts with at l
 largest load, and means over all {compared} ball passes. With ``full``, the motion of the cage is
 chaotic, so that only means are reproducible.
 
-.. list-table::
-   :header-rows: 1
-
 {table}
 
 Time budget at the required factor
@@ -70,9 +67,6 @@ Time budget at the required factor
 The real-time factor determines the time that is available per sample. A recorded sample requires
 one evaluation of all contacts, the computation of its columns, and writing to the file; the steps
 require further evaluations. All times are in microseconds per sample, with the faster integrator:
-
-.. list-table::
-   :header-rows: 1
 
 {budget}
 
@@ -135,12 +129,6 @@ def errors(found, truth):
         np.abs(found[1][both] / truth[1][both] - 1).max(),
         *(abs(found[2][name] / mean - 1) for name, mean in truth[2].items()),
     ]
-
-
-def listed(rows):
-    """Return the rows formatted for a list-table."""
-    cells = ("\n     - ".join(map(str, row)) for row in rows)
-    return "\n".join(f"   * - {row}" for row in cells)
 
 
 def compared(scene, folder):
@@ -206,8 +194,8 @@ def main():
         timed=TIMED,
         rounds=rounds,
         compared=COMPARED,
-        table=listed(rows),
-        budget=listed(budget),
+        table="\n".join(csv_table(rows[0], rows[1:])),
+        budget="\n".join(csv_table(budget[0], budget[1:])),
         machine="\n".join(f"- {fact}" for fact in machine()),
     )
     bench_file("main_deck.rst").write_text(page)

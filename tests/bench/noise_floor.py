@@ -18,11 +18,10 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
 
 from host import succeed  # noqa: E402
-from machine import bench_file, csv_table  # noqa: E402
+from machine import csv_table, publish  # noqa: E402
 from raceway import sensor, spectrum  # noqa: E402
 from raceway.runs.run import Run  # noqa: E402
 
-TARGET = bench_file("noise_floor.rst")
 SCENE = dict(bearing=6205, load=500, rpm=1797, lubricant="vg46", passes=80, settle=10)
 MODE = dict(integrator="vibration", housing="springs", record="summary")
 RATE = 48e3  # Hz
@@ -118,10 +117,7 @@ def main() -> int:
             csv_table(["acceleration of", "order", "line", "waves", "perfect", "ratio"], waves)
         ),
     )
-    if "--print" in sys.argv[1:]:
-        print(page)
-    else:
-        TARGET.write_text(page)
+    publish("noise_floor.rst", page)
     return max(shares) > 0.1
 
 

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 from deck_runs import cost, run_deck
-from machine import bench_file
+from machine import bench_file, csv_table
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
@@ -72,9 +72,6 @@ Periodic orbit over one ball pass
 Written by ``tests/bench/orbit.py``, {today}. Runs with ``settle orbit`` are compared with runs that
 settle for 30 ball passes. Errors are relative to {measured} ball passes of a steady run.
 
-.. list-table::
-   :header-rows: 1
-
 {table}
 
 Scenes without an orbit
@@ -119,13 +116,6 @@ def row(name, scene, place):
     return (name, passes, *numbers, *(f"{one:.1e}" for one in off))
 
 
-def rst_row(cells):
-    return "\n".join(
-        f"   {'* -' if first else '  -'} {cell}"
-        for first, cell in ((k == 0, c) for k, c in enumerate(cells))
-    )
-
-
 def without(name, words, place):
     said, _, evaluations = settled(place, "orbit", words)
     why = next(line for line in said.splitlines() if line.startswith("No orbit"))
@@ -134,7 +124,7 @@ def without(name, words, place):
 
 def main():
     chosen = sys.argv[1:]
-    rows, marched = [HEADS], []
+    rows, marched = [], []
     with tempfile.TemporaryDirectory() as work:
         for name, scene in ORBITS.items():
             if not chosen or name in chosen:
@@ -148,7 +138,7 @@ def main():
         PAGE.format(
             today=date.today().isoformat(),
             measured=MEASURED,
-            table="\n".join(rst_row(cells) for cells in rows),
+            table="\n".join(csv_table(HEADS, rows)),
             without="\n".join(marched),
         )
     )

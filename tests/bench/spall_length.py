@@ -18,12 +18,11 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
 
 from host import succeed  # noqa: E402
-from machine import bench_file, csv_table  # noqa: E402
+from machine import csv_table, publish  # noqa: E402
 from raceway import hertz, kinematics, passages, spall, static  # noqa: E402
 from raceway.runs.run import Run  # noqa: E402
 from raceway.theory.bearing import INNER, OUTER  # noqa: E402
 
-TARGET = bench_file("spall_length.rst")
 MODE = dict(lubricant="vg46", integrator="vibration", housing="springs")
 SCENES = (  # bearing, load (N), rpm, mass of the inner ring (kg; inputs/bearings)
     ("6205", 500, 1797, 0.055),
@@ -139,10 +138,7 @@ def main() -> int:
                     print(rows[-1], len(found.entry), flush=True)
     table = "\n".join(csv_table(["run", "raceway", "length", *WAYS], rows))
     page = PAGE.format(table=table, error=100 * worst)
-    if "--print" in sys.argv[1:]:
-        print(page)
-    else:
-        TARGET.write_text(page)
+    publish("spall_length.rst", page)
     return worst > ALLOWED
 
 

@@ -22,7 +22,7 @@ from datetime import date
 from pathlib import Path
 
 import pandas as pd
-from machine import bench_file, machine
+from machine import bench_file, csv_table, machine
 
 ROOT = Path(__file__).resolve().parents[2]
 LOADS, SPEEDS = (1000, 2000, 5000, 10000, 20000), (100, 250, 477.5, 1000, 2000)
@@ -31,6 +31,7 @@ CLEARANCES, OILS = (-2e-5, 0, 1e-5, 2e-5), ("mineral", "pao48")
 PASSES, SETTLE, SAMPLES = (4, 3, 100)
 ROUNDS = 3
 WANTED = 1.8
+HEADS = ("processes", "wall time, median (s)", "range (s)", "points per second")
 PAGE = """\
 A sweep on two cores
 ====================
@@ -43,13 +44,6 @@ The sweep has {points} points: {loads} loads from {load_low} to {load_high} N,
 Each point has {passes} ball passes, with all output and results (:doc:`../sweep`). Runs with one
 process and with two processes alternated. Number of rounds: {rounds}.
 
-.. list-table::
-   :header-rows: 1
-
-   * - processes
-     - wall time, median (s)
-     - range (s)
-     - points per second
 {rows}
 
 Two processes do {ratio:.2f} times the work of one process (individual rounds: {ratios}). At least
@@ -153,11 +147,15 @@ def main():
     ratios = [one / two for one, two in zip(seconds[1], seconds[2])]
     medians = {jobs: statistics.median(times) for jobs, times in seconds.items()}
     ratio = medians[1] / medians[2]
-    rows = "\n".join(
-        f"   * - {jobs}\n     - {medians[jobs]:.1f}\n     - {min(times):.1f} to {max(times):.1f}\n "
-        f"    - {points / medians[jobs]:.2f}"
+    rows = [
+        (
+            jobs,
+            f"{medians[jobs]:.1f}",
+            f"{min(times):.1f} to {max(times):.1f}",
+            f"{points / medians[jobs]:.2f}",
+        )
         for jobs, times in seconds.items()
-    )
+    ]
     about = machine()
     about[0] = about[0].split(", one core")[0] + f", {len(os.sched_getaffinity(0))} cores"
     page = PAGE.format(
@@ -175,7 +173,7 @@ def main():
         oils=len(OILS),
         passes=PASSES,
         rounds=ROUNDS,
-        rows=rows,
+        rows="\n".join(csv_table(HEADS, rows)),
         ratio=ratio,
         ratios=", ".join(f"{r:.2f}" for r in ratios),
         wanted=WANTED,
