@@ -46,6 +46,12 @@ def words(*arguments):
     return [sys.executable, "-m", "raceway", *map(str, arguments)]
 
 
+def call(command, env=ENV):
+    """Run a command in the root of the repository, and return the finished process."""
+    words = [str(word) for word in command]
+    return subprocess.run(words, cwd=ROOT, env=env, text=True, capture_output=True, check=False)
+
+
 def sweep(*arguments):
     """Run `raceway sweep` in this process, which has already imported the large packages."""
     out, err = io.StringIO(), io.StringIO()
@@ -131,9 +137,7 @@ def test_sweep(table, tmp_path, counter):
     assert sorted(starts(out).values()) == [1, 1, 1, 2]
     # a sweep gathers its results, which can also be done with a separate command
     (out / "results.csv").unlink()
-    gathered = subprocess.run(
-        words("gather", out), cwd=ROOT, env=ENV, text=True, capture_output=True, check=False
-    )
+    gathered = call(words("gather", out))
     assert gathered.stdout == f"{out / 'results.csv'}: 3 finished, 1 failed\n"
     pd.testing.assert_frame_equal(pd.read_csv(out / "results.csv"), results)
 
@@ -322,44 +326,21 @@ def test_job_array(table, tmp_path, counter):
     assert done.stdout == f"{script}: 4 points in 2 tasks\n" and not starts(out)
     assert "#SBATCH --array=1-2" in script.read_text()
     for task in (1, 2):
-        subprocess.run(
-            ["bash", script], cwd=ROOT, env=slurm(task, 2), capture_output=True, check=False
-        )
+        call(["bash", script], slurm(task, 2))
         assert len(starts(out)) == 2 * task
-    assert sorted(pd.read_csv(out / "results.csv")["status"]) == [
-        "failed",
-        "finished",
-        "finished",
-        "finished",
-    ]
+    assert sorted(pd.read_csv(out / "results.csv")["status"]) == ["failed"] + ["finished"] * 3
 
 
 def test_array_script(table, tmp_path):
     tool = tmp_path / "raceway"
     tool.write_text(f'#!/bin/bash\nexec {sys.executable} -m raceway "$@"\n')
     tool.chmod(0o755)
+    command = ["bash", "inputs/cluster/array.sh", table, tmp_path / "out"]
     for task in (1, 2):
-        subprocess.run(
-            ["bash", "inputs/cluster/array.sh", table, tmp_path / "out"],
-            cwd=ROOT,
-            capture_output=True,
-            check=False,
-            env=slurm(task, 2, RACEWAY=str(tool)),
-        )
-    assert sorted(pd.read_csv(tmp_path / "out" / "results.csv")["status"]) == [
-        "failed",
-        "finished",
-        "finished",
-        "finished",
-    ]
-    refused = subprocess.run(
-        ["bash", "inputs/cluster/array.sh", table, tmp_path / "out"],
-        cwd=ROOT,
-        env=ENV,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+        call(command, slurm(task, 2, RACEWAY=str(tool)))
+    results = pd.read_csv(tmp_path / "out" / "results.csv")
+    assert sorted(results["status"]) == ["failed"] + ["finished"] * 3
+    refused = call(command)
     assert refused.returncode != 0 and "sbatch --array" in refused.stderr
 
 
@@ -388,22 +369,13 @@ def test_run_scripts(tmp_path, script, tasks):
     text = process.communicate(timeout=60)[0]
     assert process.returncode == 138, text
     assert "-var resume yes continues from" in text
-    resumed = subprocess.run(
-        ["bash", "inputs/cluster/run.sh", *command[2:]],
-        cwd=ROOT,
-        env=ENV,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    resumed = call(["bash", "inputs/cluster/run.sh", *command[2:]])
     assert resumed.returncode == 0 and "Continuing from" in resumed.stdout
     succeed(
         "inputs/in.6208", out=tmp_path / "alone", passes=30, samples=100, models=None, settle=None
     )
     assert (out / "record.nc").read_bytes() == (tmp_path / "alone" / "record.nc").read_bytes()
-    finished = subprocess.run(
-        command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False
-    )
+    finished = call(command, environment)
     assert (finished.returncode, finished.stdout) == (0, "")
 
 
