@@ -58,7 +58,9 @@ class Rest(NamedTuple):
     orbit: float | Floats  # rad/s, orbital speed of the balls
     films: Lubrication
     fluid: Fluid
-    losses: friction_torque.Losses
+    clearance: float  # m
+    surfaces: friction_torque.Surfaces
+    motion: Motion | None  # of the balls under pure thrust
 
 
 class Scene:
@@ -121,9 +123,6 @@ class Scene:
         surfaces = friction_torque.surfaces(
             self.bearing, self.size, fluid, ring, self.models, self.supply
         )
-        words: dict[str, Any] = dict(
-            clearance=clearance, spin_law=self.spin_law, cage=self.cage, surfaces=surfaces
-        )
         if film and "z" not in self.held and thrust_motion.applies(self.bearing, state):
             motion = self.near_motion = thrust_motion.find(
                 self.bearing,
@@ -131,16 +130,17 @@ class Scene:
                 oil,
                 fluid,
                 film,
-                density=self.density,
+                surfaces,
                 near=self.near_motion,
-                **words,
+                clearance=clearance,
+                density=self.density,
+                spin_law=self.spin_law,
+                cage=self.cage,
             )
-            return Rest(motion.state, motion.orbit, motion.films, fluid, motion.losses)
+            moved = motion.state, motion.orbit, motion.films
+            return Rest(*moved, fluid, clearance, surfaces, motion)
         films = lubricate(self.bearing, state, oil, ring, clearance, film and film.factor)
-        losses = friction_torque.losses(
-            self.bearing, state, films, fluid, ring, orbit, ball_density=self.density, **words
-        )
-        return Rest(state, orbit, films, fluid, losses)
+        return Rest(state, orbit, films, fluid, clearance, surfaces, None)
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
         """Return the results of the scene at a temperature in degrees C and a clearance in m.
@@ -151,8 +151,21 @@ class Scene:
 
     def figures(self, rest: Rest) -> dict[str, Any]:
         """Return the same results as `at`, computed from a given `rest`."""
-        state, orbit, films, fluid, losses = rest
-        ring = self.ring
+        state, orbit, films, fluid, ring = *rest[:4], self.ring
+        losses = rest.motion and rest.motion.losses
+        losses = losses or friction_torque.losses(
+            self.bearing,
+            state,
+            films,
+            fluid,
+            ring,
+            orbit,
+            clearance=rest.clearance,
+            surfaces=rest.surfaces,
+            spin_law=self.spin_law,
+            ball_density=self.density,
+            cage=self.cage,
+        )
         contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis
         inner = self.bearing.raceways.count(INNER)
         sides = np.array([contacts[:inner].sum(), contacts[inner:].sum()])
