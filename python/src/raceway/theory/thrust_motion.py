@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Steady motion of the balls of a single-row bearing under pure thrust, including friction.
+"""Steady motion of the balls of a single-row bearing under pure thrust, including friction. A
+radial load that hardly changes the loads of the balls is neglected.
 
 Under pure thrust all balls move alike, and steadily in the frame that orbits with them. Their state
 has seven unknowns: the radial and axial position of a ball, the axial displacement of the ring, the
@@ -50,6 +51,7 @@ from raceway.theory.static import Equilibrium, contacts
 SIDES = (INNER, OUTER)
 OUT = np.array([[-1.0], [1.0]])  # radial direction from ball to raceway at zero contact angle
 EXACT = 1e-9  # largest accepted residual, in units of `_Balance.units`
+ALIKE = 2e-3  # differences between the loads of balls, relative to the largest, that are ignored
 SLOWEST = 1e-3  # fraction of the speed at which the search in `find` gives up
 
 
@@ -276,12 +278,13 @@ class _Balance:
 
 
 def applies(bearing: Bearing, state: Equilibrium) -> bool:
-    """Return whether all balls of a single-row bearing carry the same thrust, so that they move
-    alike."""
-    if bearing.layout != Layout() or not np.all(state.inner.load > 0):
+    """Return whether all balls of a single-row bearing carry the same thrust within `ALIKE`, so
+    that they move alike."""
+    load, angle = state.inner.load, state.inner.angle
+    if bearing.layout != Layout() or not np.all(load > 0):
         return False
-    alike = max(np.ptp(state.inner.load), np.ptp(state.outer.load)) < 1e-6 * state.inner.load.max()
-    return bool(alike and np.all(np.abs(state.inner.angle) > 1e-6))
+    spread = max(np.ptp(one) for one in (load, state.outer.load))
+    return bool(spread < ALIKE * load.max() and np.all(np.abs(angle) > 1e-6))
 
 
 def find(
@@ -387,7 +390,7 @@ def _motion(balance, y, state, speed):
                  one.angle)), balance.clearance)
         for side in SIDES
     ]  # fmt: skip
-    shift = np.array([0.0, 0.0, y[2]])
+    shift = np.array([*state.shift[:2], y[2]])
     moved = replace(state, shift=shift, inner=sides[INNER], outer=sides[OUTER])
     speeds = one.entrainment * every, one.rolling * every
     films = lubricate(
