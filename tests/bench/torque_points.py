@@ -167,8 +167,8 @@ run whose inner ring is held in its plane has the same torque within 0.5 % (153 
 ring; ``tests/scenarios/test_thrust_motion.py``). In a run whose ring is free in its plane, the
 skidding balls make the ring whirl, and the mean torque is 199 N mm. With Eyring's stress in the
 film (``eyring``) the torque is 132 N mm instead of 146 N mm without the cage's losses, and the mean
-coefficient of friction is 0.002 to 0.01 instead of 0.05. The balls of a 7205B are just held; the
-torque is 16.4 N mm in statics and in a run and 25.3 N mm according to SKF's formula.
+coefficient of friction is 0.002 to 0.01 instead of 0.05. The balls of a 7205B slide only slowly;
+the torque is 16.4 N mm in statics and in a run and 25.3 N mm according to SKF's formula.
 
 *High load and low speed, combined and axial loads*: rolling is 0.66 to 1.04 times and sliding 0.55
 to 1.0 times SKF's value; both ratios are lowest for balls with spin. SKF's formula adds the radial

@@ -12,15 +12,18 @@ from raceway.theory import friction_torque, thrust_motion
 from raceway.theory.cage_drag import CageRing
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import turning
+from raceway.theory.operating_point import figures
 
 INPUTS = ROOT / "inputs"
 
 
-def moving(name, axial, rpm, temperature, models="full", cage=None, spin_law="closed"):
+def moving(
+    name, axial, rpm, temperature, models="full", cage=None, spin_law="closed", clearance=0.0
+):
     path, oil, ring = INPUTS / "bearings" / name, INPUTS / "lubricants/vg46", rpm * np.pi / 30
     body, fluid = inputs.bearing(path), inputs.fluid(oil, temperature)
     film, density = FilmInGap(fluid, ring), inputs.ball_density(path)
-    rest, _ = turning(body, ring, 0.0, axial, ball_density=density, film=film)
+    rest, _ = turning(body, ring, 0.0, axial, ball_density=density, film=film, clearance=clearance)
     assert thrust_motion.applies(body, rest)
     return thrust_motion.find(
         body,
@@ -32,6 +35,7 @@ def moving(name, axial, rpm, temperature, models="full", cage=None, spin_law="cl
         density=density,
         cage=cage,
         spin_law=spin_law,
+        clearance=clearance,
     )
 
 
@@ -156,3 +160,33 @@ def test_both_spin_laws_follow_the_run(tmp_path, spin_law):
     found = moving("7208B", 600, 10000, 107, spin_law=spin_law)
     np.testing.assert_allclose(run[0], [found.orbit, *found.rotation], rtol=5e-3, atol=0.1)
     assert abs(run[1]) == pytest.approx(found.torque, rel=5e-3)
+
+
+def test_clearance(tmp_path):
+    """With clearance the contact angles of a 6208 are larger."""
+    words = dict(bearing="6208", axial=300, rpm=6000, clearance=30e-6, cage="chain")
+    succeed("tests/scenarios/in.thrust", out=tmp_path, **words)
+    with xarray.open_dataset(tmp_path / "record.nc") as data:
+        run = rotations(data), -float(data["ring_torque"].isel(ring=0).mean())
+        angle = float(np.abs(data["angle"]).mean())
+    found = moving("6208", 300, 6000, 107, clearance=30e-6)
+    np.testing.assert_allclose(run[0], [found.orbit, *found.rotation], rtol=5e-3, atol=0.1)
+    assert abs(run[1]) == pytest.approx(found.torque, rel=5e-3)
+    angles = found.state.inner.angle.mean(), found.state.outer.angle.mean()
+    assert angle == pytest.approx(np.mean(angles), rel=5e-3)
+
+
+def test_command():
+    """`raceway static` reports this motion under pure thrust and under thrust with a negligible
+    radial load, but not under combined loads."""
+    point = dict(rpm=10000, temperature=107.0, held={"rx": 0.0, "ry": 0.0})
+    wanted = moving("7208B", 426, 10000, 107)
+    for load in (0.0, 0.01):
+        one = figures("7208B", "vg46", INPUTS, load=load, axial=426, **point)
+        assert one["friction_torque_N_m"] == pytest.approx(wanted.torque, rel=1e-6)
+        assert one["orbital_speed_rad_s"] == pytest.approx(wanted.orbit, rel=1e-6)
+        rotation = [one[f"ball_{name}_rad_s"] for name in ("radial", "along", "axial")]
+        assert rotation == pytest.approx(wanted.rotation, rel=1e-6)
+        assert any("free in its plane" in text for text in one["warnings"])
+    one = figures("7208B", "vg46", INPUTS, load=200.0, axial=426, **point)
+    assert "ball_radial_rad_s" not in one
