@@ -64,7 +64,7 @@ def test_builds(host, tmp_path):
         kept.write_bytes(content)
         end = run(deck, host=host)
         assert end.code != 0 and f"pair_style bearing: the restart file {cause}" in end.error, cause
-        assert "this program reads layout 4" in end.error
+        assert "this program reads layout 5" in end.error
     claims = whole[: number + 4] + b"\xff\xff\xff\x7f" + whole[number + 8 :]
     for content in (whole[: number + 8], whole[: number - 2], claims):
         kept.write_bytes(content)

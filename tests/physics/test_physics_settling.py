@@ -8,17 +8,19 @@ import pytest
 S = 1e-2  # accuracy required by `settled`
 
 
-def rest(physics, passes, **series):
-    """Return the remaining changes after `passes` ball passes, whose means are `series`. Any means
-    that are not given are 1, or 0 for the pitch."""
+def rest(physics, passes, window=0, **series):
+    """Return the remaining changes after `passes` ball passes, whose means are `series`, or how far
+    means over `window` ball passes wander. Any means that are not given are 1, or 0 for the pitch.
+    """
     given = dict(
         torque=np.ones(passes),
         load=np.ones((passes, 2)),
         cage_speed=np.ones(passes),
         pocket_force=np.ones(passes),
         pitch=np.zeros(passes),
+        cage_orbit=np.ones(passes),
     )
-    return physics.call("settling_rest", passes=passes, **{**given, **series})
+    return physics.call("settling_rest", passes=passes, window=window, **{**given, **series})
 
 
 def of_torque(physics, means):
@@ -56,6 +58,9 @@ def test_each_figure_has_its_own(physics):
         assert found.pop(name) == pytest.approx(left, rel=1e-6)
         assert set(found.values()) == {0.0}
     assert rest(physics, 4, pitch=means).spin_axis == pytest.approx(means[-1] - 1, rel=0.05)
+    # the change in the orbit of a cage is not relative
+    orbit = rest(physics, 4, cage_orbit=3 * means).cage_orbit
+    assert orbit == pytest.approx(3 * (means[-1] - 1), rel=1e-6)
 
 
 def test_a_drift_that_does_not_decay(physics):
@@ -120,3 +125,25 @@ def test_pocket_forces_fall(physics):
     force = np.array([100.0, 100.0, 40.0, 20.0])
     assert rest(physics, 4, pocket_force=force).pocket_fall == pytest.approx(0.5)
     assert rest(physics, 4, pocket_force=force[::-1].copy()).pocket_fall == 0.0
+
+
+@pytest.mark.parametrize("window", [1, 2, 7])
+@pytest.mark.parametrize("passes", [16, 101])
+def test_wandering_is_the_range_of_means_in_the_last_half(physics, passes, window):
+    means = 1 + 1e-3 * np.random.default_rng(passes).standard_normal(passes).cumsum()
+    half = passes // 2
+    spans = np.convolve(means[-half:], np.ones(window) / window, mode="valid")
+    for series, name, value in (
+        (dict(torque=means), "torque", means[-1]),
+        (dict(load=np.stack([means, np.ones(passes)], axis=-1)), "load", means[-1]),
+        (dict(cage_speed=means), "cage_speed", means[-1]),
+        (dict(cage_orbit=means), "cage_orbit", 1.0),
+    ):
+        found = vars(rest(physics, passes, window, **series))
+        assert found.pop("pocket_fall") == np.inf  # not determined
+        assert found.pop(name) == pytest.approx(np.ptp(spans) / value, rel=1e-9)
+        assert max(found.values()) < 1e-15
+
+
+def test_one_window_does_not_show_wandering(physics):
+    assert np.isinf(rest(physics, 8, 4).torque) and np.isfinite(rest(physics, 10, 4).torque)

@@ -110,11 +110,12 @@ TOPICS = {
         ),
     ),
     "Temperatures": warming.ROWS,
-    "Settling, change from one ball pass to the next": (
-        Row("settled_torque", "friction torque", "", "last two, relative"),
+    "Settling, estimated change in all further ball passes": (
+        Row("settled_torque", "friction torque", "", "relative"),
         Row("settled_load", "largest loads", "", "larger value of both raceways"),
         Row("settled_cage_speed", "cage speed", ""),
         Row("settled_spin_axis_rad", "spin axis of the balls", "rad", "load-weighted mean"),
+        Row("settled_cage_orbit", "orbit of the cage", "", "relative to half the play"),
     ),
     "Cost": (
         Row("host", "host", None),
