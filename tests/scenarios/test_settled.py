@@ -11,6 +11,7 @@ import pytest
 import xarray
 from host import ROOT, succeed
 from raceway.cli import main
+from raceway.runs.columns import LOSSES
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
@@ -86,6 +87,26 @@ def test_waits_while_pocket_forces_of_a_cage_ring_fall(tmp_path):
     assert len(held) > 2 and end > max(held) and falls[end] <= 0.5
     figures = xarray.open_dataset(tmp_path / "record.nc").attrs
     assert figures["settled_pocket_fall"] <= 0.5 and figures["settled_passes"] == end
+
+
+def test_wandering_while_settling(tmp_path):
+    """The values equal those of the ball passes of a run that measures the last half of the
+    settling."""
+    window, half = 2, 12
+    words = dict(models="full", load=1000, rpm=1500, within=1, samples=50)
+    for name, changes in (
+        ("settles", dict(settle=2 * half, passes=window)),
+        ("measures", dict(settle=half, passes=half)),
+    ):
+        succeed("inputs/in.6208", out=tmp_path / name, **words, **changes)
+    said = RunTables(tmp_path / "settles").settings
+    totals = RunTables(tmp_path / "measures").totals.loc[1:]
+    power = sum(totals[name] for name in LOSSES.values() if name in totals)
+    for values, key in ((power, "wander_torque"), (totals["cage_speed"], "wander_cage_speed")):
+        passes = values.to_numpy().reshape(half, -1).mean(axis=1)
+        means = np.convolve(passes, np.ones(window) / window, mode="valid")
+        assert said[key] == pytest.approx(np.ptp(means) / passes[-1], rel=1e-9)
+        assert said[key] > 1e-6
 
 
 def rest(means):
