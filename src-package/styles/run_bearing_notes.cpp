@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What run_bearing says about the state in which the measurement begins, to the user and in records.
+// Describes the state in which a measurement begins: messages and notes in the record.
 #include "fix_bearing_record.h"
 #include "print_line.h"
 #include "run_bearing.h"
@@ -14,12 +14,12 @@ using bearing::SettlingChanges;
 // torque (docs/cage.rst). Settling therefore does not wait for it.
 void RunBearing::say_cage_orbit()
 {
-  constexpr double much = 0.1;    // of half the play; most orbits change less after settling
+  constexpr double much = 0.1;    // of half the play; most orbits that repeat change less
   const double change = now().rest.cage_orbit;
   if (fix_->orbit().found() || !std::isfinite(change) || change <= much) return;
   char line[160];
   snprintf(line, sizeof line,
-           "The orbit of the cage has not settled: about %.2g of half the pocket play remains; "
+           "The orbit of the cage has not settled: it changes by %.2g of half the pocket play; "
            "pocket forces may change",
            change);
   bearing::print_line(lmp, line);

@@ -6,8 +6,8 @@
 RECORD(SettlingRest, double torque, load, cage_speed, spin_axis, pocket_fall, cage_orbit;)
 
 // Estimates, from the means over each ball pass, the remaining changes in torque, load on each
-// raceway, cage speed, pocket force, pitch angle of the spin axis (rad) and orbit of the cage or, if
-// `window` is not 0, how far means over so many ball passes wander.
+// raceway, cage speed, pocket force, pitch angle of the spin axis (rad) and orbit of the cage or,
+// if `window` is not 0, how far means over so many ball passes wander.
 EXPORT(void, settling_rest,
        (int passes, int window, const double *torque, const double *load, const double *cage_speed,
         const double *pocket_force, const double *pitch, const double *cage_orbit,

@@ -201,6 +201,26 @@ def test_a_cage_that_nothing_holds_whirls_as_computed(tmp_path, words, passes):
     assert abs(found - root) < 0.02 * abs(root)
 
 
+@pytest.mark.parametrize(
+    "load, clearance, settle, grows",
+    [(1, -1e-5, 52, True), (1, -1e-5, 10, False), (5000, 1e-5, 52, False)],
+)
+def test_a_whirl_that_grows_is_reported(tmp_path, load, clearance, settle, grows):
+    """In a preloaded bearing, the whirl begins at a tiny amplitude and reaches the pockets after
+    some 60 ball passes. In a bearing with clearance, a radial load holds the cage, whose orbit
+    repeats."""
+    scene = dict(load=load, clearance=clearance, rpm=6000, lubricant="vg46", temperature=70)
+    scene |= dict(models="full", cage="ring")
+    if load == 1:
+        scene["cage_without"] = "friction+shear+churning"
+    done = succeed("inputs/in.6208", out=tmp_path, settle=settle, passes=4, **scene)
+    assert ("The orbit of the cage has not settled: it changes by" in done.text) == grows
+    run = Run(tmp_path)
+    assert (run.settings["rest_cage_orbit"] > 0.1) == grows
+    if load == 1:
+        assert (run.summary()["settled_cage_orbit"] > 0.03) == grows
+
+
 @pytest.mark.parametrize("rpm", [47.75, 477.5, 9549])
 def test_films_keep_the_motion_of_a_cage_regular(tmp_path, rpm):
     """With squeeze films, balls do not strike their pockets, so the means over four ball passes do

@@ -94,28 +94,29 @@ static Series axes_of(const std::vector<SettlingSample> &passes)
   return all;
 }
 
-static double fall_of_pockets(const std::vector<SettlingSample> &passes)
+// Returns the changes between the means over the last two of the longest spans.
+static SettlingChanges latest_changes(const std::vector<SettlingSample> &passes)
 {
   const size_t span = std::max<size_t>(1, passes.size() / 4);
   Settling settling(static_cast<int>(span));
   for (auto p = passes.end() - static_cast<std::ptrdiff_t>(2 * span); p != passes.end(); ++p)
     settling.add(*p);
-  return settling.changes().pocket_fall;
+  return settling.changes();
 }
 
-// Returns the changes that `change` finds in the series of each quantity except the pocket forces.
+// Returns the changes that `change` finds in the series of each quantity except those of the cage.
 template <class Change>
 static SettlingChanges changes_of(const std::vector<SettlingSample> &passes, Change change)
 {
-  const auto of = [&](auto number) { return change(series_of(passes, number)); };
-  const auto share = [&](auto number) { return relative(of(number), number(passes.back())); };
+  const auto share = [&](auto number) {
+    return relative(change(series_of(passes, number)), number(passes.back()));
+  };
   SettlingChanges c;
   c.torque = share([](const SettlingSample &p) { return p.torque; });
   c.load = std::max(share([](const SettlingSample &p) { return p.load[0]; }),
                     share([](const SettlingSample &p) { return p.load[1]; }));
   c.cage_speed = share([](const SettlingSample &p) { return p.cage_speed; });
   c.spin_axis = change(axes_of(passes));
-  c.cage_orbit = of([](const SettlingSample &p) { return p.cage_orbit; });
   return c;
 }
 
@@ -124,7 +125,9 @@ SettlingChanges settling_rest(const std::vector<SettlingSample> &passes, double 
   if (passes.size() < 2) return {};
   SettlingChanges rest =
       changes_of(passes, [slowest](const Series &all) { return rest_of(all, slowest); });
-  rest.pocket_fall = fall_of_pockets(passes);
+  const SettlingChanges latest = latest_changes(passes);
+  rest.pocket_fall = latest.pocket_fall;
+  rest.cage_orbit = latest.cage_orbit;
   return rest;
 }
 

@@ -20,16 +20,17 @@ namespace bearing {
 // distinguished from a constant drift.
 constexpr double slowest_decay = 0.98;
 
-// Returns the rests of the torque, the loads and the cage speed (as relative changes), of the spin
-// axis (rad) and of the orbit of the cage (as a fraction of half the play), and the decrease in the
-// pocket forces over the longest span. They are infinite if there are fewer than two ball passes.
+// Returns the rests of the torque, the loads and the cage speed (as relative changes) and of the
+// spin axis (rad), and the changes between the last two of the longest spans for the pocket forces
+// (their decrease) and for the orbit of the cage (as a fraction of half the play). They are infinite
+// if there are fewer than two ball passes.
 SettlingChanges settling_rest(const std::vector<SettlingSample> &passes,
                               double slowest = slowest_decay);
 
-// Returns how far results wander in the last half of the ball passes: the largest difference between
-// two means over `window` successive ball passes, relative to the last ball pass (for the orbit
-// of the cage, the difference itself). A result that depends on a slow periodic motion wanders
-// although it has settled. The values are infinite if there are fewer than two windows.
+// Returns how far results wander in the last half of the ball passes: the largest difference
+// between two means over `window` successive ball passes, relative to the last ball pass. They
+// are not determined for the cage. A result that depends on a slow periodic motion
+// wanders although it has settled. The values are infinite if there are fewer than two windows.
 SettlingChanges settling_wander(const std::vector<SettlingSample> &passes, size_t window);
 
 }    // namespace bearing

@@ -11,12 +11,12 @@ using raceway::Vec3;
 RECORD(SettlingOfRun, double torque, load, cage_speed, spin_axis, cage_orbit;)
 
 // Estimates the changes that remain after the last of `passes` ball passes of `samples` samples
-// each. The input contains the friction torque, the largest load on each raceway, the cage speed and
-// the orbit of a one-piece cage (as a fraction of half the play) for every sample, and the load, the
-// position relative to the bearing's centre and the spin for every sample and ball, with z along the
-// bearing's axis. From n steps between ball passes, a decay by less than 1/n per ball pass cannot be
-// distinguished from a constant drift. If there are fewer than two ball passes, the changes are
-// infinite.
+// each. The input contains the friction torque, the largest load on each raceway, the cage speed
+// and the orbit of a one-piece cage (as a fraction of half the play) for every sample, and the
+// load, the position relative to the bearing's centre and the spin for every sample and ball,
+// with z along the bearing's axis. From n steps between ball passes, a decay by less than 1/n per
+// ball pass cannot be distinguished from a constant drift. If there are fewer than two ball
+// passes, the changes are infinite.
 EXPORT(void, settling,
        (int passes, int samples, int balls, const double *torque, const double *load,
         const double *cage_speed, const double *cage_orbit, const double *ball_load,
@@ -33,6 +33,7 @@ EXPORT(void, settling,
       s.ball(ball_load[b], Vec3::from(place + 3 * b), Vec3::from(spin + 3 * b), {0.0, 0.0, 1.0});
     means[static_cast<size_t>(k / samples)].add(s, 1.0 / samples);
   }
-  const bearing::SettlingChanges c = bearing::settling_rest(means, 1.0 - 1.0 / std::max(1, passes - 1));
+  const bearing::SettlingChanges c =
+      bearing::settling_rest(means, 1.0 - 1.0 / std::max(1, passes - 1));
   *out = {c.torque, c.load, c.cage_speed, c.spin_axis, c.cage_orbit};
 }

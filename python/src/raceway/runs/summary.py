@@ -115,7 +115,7 @@ TOPICS = {
         Row("settled_load", "largest loads", "", "larger value of both raceways"),
         Row("settled_cage_speed", "cage speed", ""),
         Row("settled_spin_axis_rad", "spin axis of the balls", "rad", "load-weighted mean"),
-        Row(ORBIT, "orbit of the cage", "", "relative to half the play"),
+        Row(ORBIT, "orbit of the cage", "", "latest change, relative to half the play"),
     ),
     "Cost": (
         Row("host", "host", None),
