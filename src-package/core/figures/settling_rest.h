@@ -21,9 +21,9 @@ namespace bearing {
 constexpr double slowest_decay = 0.98;
 
 // Returns the rests of the torque, the loads and the cage speed (as relative changes) and of the
-// spin axis (rad), and the changes between the last two of the longest spans for the pocket forces
-// (their decrease) and for the orbit of the cage (as a fraction of half the play). They are infinite
-// if there are fewer than two ball passes.
+// spin axis (rad), and the changes between the last two of the longest spans for the pocket
+// forces (their decrease) and for the orbit of the cage (as a fraction of half the play). They
+// are infinite if there are fewer than two ball passes.
 SettlingChanges settling_rest(const std::vector<SettlingSample> &passes,
                               double slowest = slowest_decay);
 

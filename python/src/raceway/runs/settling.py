@@ -29,8 +29,8 @@ def settling(tables: RunTables) -> dict[str, float | None]:
     They are the relative changes of the mean friction torque, of the largest load on either raceway
     and of the cage speed, `settled_spin_axis_rad`, the angle by which the load-weighted mean spin
     axis of the balls still turns, and, with a one-piece cage, `settled_cage_orbit`, the latest
-    change of its mean distance from the axis as a fraction of half the play. A change is None if the run has not
-    recorded the quantity, or if the speed of the rings changes. The formulas are in
+    change of its mean distance from the axis as a fraction of half the play. A change is None if
+    the run has not recorded the quantity, or if the speed of the rings changes. The formulas are in
     `src-package/core/figures/settling_rest.h`.
     """
     result: dict[str, float | None] = dict.fromkeys(KEYS.values())
