@@ -47,6 +47,7 @@ void RunBearing::note_settling(FixBearingRecord &f)
   if (orbit.found()) return;    // its ball passes do not follow each other without interruption
   const SettlingChanges w = fix_->wander(std::max(1.0, std::round(settings_.passes)));
   if (!std::isfinite(w.torque)) return;
-  f.note(NetcdfHeader::attribute("wander_torque", w.torque));
-  f.note(NetcdfHeader::attribute("wander_cage_speed", w.cage_speed));
+  // an extended run measures more ball passes, whose means wander less
+  f.note(NetcdfHeader::attribute("wander_torque", w.torque), true);
+  f.note(NetcdfHeader::attribute("wander_cage_speed", w.cage_speed), true);
 }

@@ -141,6 +141,7 @@ def test_wandering_is_the_range_of_means_in_the_last_half(physics, passes, windo
     means = 1 + 1e-3 * np.random.default_rng(passes).standard_normal(passes).cumsum()
     half = passes // 2
     spans = np.convolve(means[-half:], np.ones(window) / window, mode="valid")
+    assert len(spans) > 1
     for series, name, value in (
         (dict(torque=means), "torque", means[-1]),
         (dict(load=np.stack([means, np.ones(passes)], axis=-1)), "load", means[-1]),
@@ -152,5 +153,9 @@ def test_wandering_is_the_range_of_means_in_the_last_half(physics, passes, windo
         assert max(found.values()) < 1e-15
 
 
-def test_one_window_does_not_show_wandering(physics):
-    assert np.isinf(rest(physics, 8, 4).torque) and np.isfinite(rest(physics, 10, 4).torque)
+def test_wandering_of_few_ball_passes(physics):
+    """If the last half is not longer than the window, the means cover all but one ball pass."""
+    means = np.array([5.0, 5.0, 5.0, 5.0, 1.0, 2.0, 4.0, 9.0])
+    for window in (3, 4, 100):
+        assert rest(physics, 8, window, torque=means).torque == pytest.approx((5 - 7 / 3) / 9)
+    assert np.isinf(rest(physics, 3, 1).torque) and np.isfinite(rest(physics, 4, 1).torque)

@@ -109,6 +109,17 @@ def test_wandering_while_settling(tmp_path):
         assert said[key] > 1e-6
 
 
+def test_an_extended_run_has_the_bits_of_a_longer_run(tmp_path):
+    """How far means wander depends on the number of ball passes that are measured."""
+    words = dict(models="full", load=1000, rpm=1500, samples=20, settle=16, keep=1000, resume="yes")
+    said = []
+    for out, passes in (("extended", 2), ("extended", 10), ("whole", 10)):
+        succeed("inputs/in.6208", out=tmp_path / out, passes=passes, **words)
+        said.append(RunTables(tmp_path / out).settings["wander_torque"])
+    one, other = ((tmp_path / out / "record.nc").read_bytes() for out in ("extended", "whole"))
+    assert one == other and said[0] > said[1] > 0
+
+
 def rest(means):
     """Return the remaining change after four ball passes with these means (docs/run_bearing). A
     decay by less than a third per ball pass cannot be distinguished from a drift."""

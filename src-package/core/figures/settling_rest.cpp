@@ -147,7 +147,8 @@ static double spread(const Series &all, size_t window)
 SettlingChanges settling_wander(const std::vector<SettlingSample> &passes, size_t window)
 {
   const size_t half = passes.size() / 2;
-  if (half < window + 1) return {};
+  if (half < 2) return {};
+  window = std::min(window, half - 1);
   const std::vector<SettlingSample> last(passes.end() - static_cast<std::ptrdiff_t>(half),
                                          passes.end());
   return changes_of(last, [window](const Series &all) { return spread(all, window); });

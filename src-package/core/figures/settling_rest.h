@@ -28,9 +28,10 @@ SettlingChanges settling_rest(const std::vector<SettlingSample> &passes,
                               double slowest = slowest_decay);
 
 // Returns how far results wander in the last half of the ball passes: the largest difference
-// between two means over `window` successive ball passes, relative to the last ball pass. They
-// are not determined for the cage. A result that depends on a slow periodic motion
-// wanders although it has settled. The values are infinite if there are fewer than two windows.
+// between two means over `window` successive ball passes, relative to the last ball pass. They are
+// not determined for the cage. A result that depends on a slow periodic motion wanders although it
+// has settled. If the half is not longer than `window`, the means cover all but one of its ball
+// passes. The values are infinite if there are fewer than four ball passes.
 SettlingChanges settling_wander(const std::vector<SettlingSample> &passes, size_t window);
 
 }    // namespace bearing
