@@ -9,6 +9,7 @@ from raceway.runs import warming
 from raceway.runs.cage import CageFigures
 from raceway.runs.columns import BEARING, LOSSES
 from raceway.runs.rating import ROWS as RATING
+from raceway.runs.settling import ORBIT
 from raceway.sweeps import variable_table
 from raceway.theory import models
 from raceway.theory.bearing import INNER, OUTER
@@ -90,11 +91,12 @@ TOPICS = {
         ),
     ),
     "Temperatures": warming.ROWS,
-    "Settling, change from one ball pass to the next": (
-        Row("settled_torque", "friction torque", "", "last two, relative"),
+    "Settling, estimated change in all further ball passes": (
+        Row("settled_torque", "friction torque", "", "relative"),
         Row("settled_load", "largest loads", "", "larger value of both raceways"),
         Row("settled_cage_speed", "cage speed", ""),
         Row("settled_spin_axis_rad", "spin axis of the balls", "rad", "load-weighted mean"),
+        Row(ORBIT, "orbit of the cage", "", "latest change, relative to half the play"),
     ),
     "Cost": (
         Row("host", "host", None),
@@ -161,7 +163,7 @@ def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
     losses = figures["losses_W"] or dict.fromkeys(LOSSES)
     flaws = figures.get("flaws", {})
     return {
-        **dict.fromkeys(CageFigures._fields),
+        **dict.fromkeys((*CageFigures._fields, ORBIT)),
         **dict.fromkeys(row.key for row in warming.ROWS),
         **result,
         **{key: why for key, why in figures["absent"].items() if key in models.HEADLINES},
