@@ -192,7 +192,8 @@ SCALARS = (
 def read(scene, first, lab, draw):
     """`raceway summary` of a record gives the same results in every orientation."""
     columns, table = first["contacts"]
-    if not table[..., columns.index("load")].max(initial=0) > 1e-12:
+    load, side = (table[..., columns.index(name)] for name in ("load", "raceway"))
+    if not all(load[side == k].max(initial=0) > 1e-12 for k in (0, 1)):
         return  # N; below this load, rounding decides which balls touch
     record = f"fix table all bearing/record {scene['every']} ${{out}}/record overwrite yes"
     pose = draw.choice([*TURNS, *MIRRORS])

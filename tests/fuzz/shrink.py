@@ -45,7 +45,7 @@ def _smaller(scene):
     for name, value in PLAIN.items():
         if scene.get(name) != value and not (name == "film" and scene["law"]):
             yield scene | {name: value}
-    for name in set(scene.get("cage_ring") or {}) - {"play", "mass", "inertia"}:
+    for name in sorted({*(scene.get("cage_ring") or {})} - {"play", "mass", "inertia"}):
         ring = {key: value for key, value in scene["cage_ring"].items() if key != name}
         yield scene | {"cage_ring": ring}
     for k in range(len(scene["flaws"])):
