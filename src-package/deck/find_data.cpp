@@ -65,9 +65,8 @@ Data find_data(std::string folder, std::string name)
   }
   const std::string list = joined(near);
   return {"there is no '" + name + "' in folder " + folder + "; there is: " +
-          (list.empty()
-               ? "nothing (run from the folder that holds it, or set the variable 'inputs')"
-               : list)};
+          (list.empty() ? "nothing (run from the folder that holds it, or give 'inputs FOLDER')"
+                        : list)};
 }
 
 }    // namespace bearing

@@ -296,7 +296,7 @@ void HomeBearings::assemble(const std::vector<std::vector<Piece>> &from)
     if (m.bodies.empty())
       BRG_ONE(command_ + ": atom " + std::to_string(m.name()) +
               " of its group is not a ball, cage ball or ring of a "
-              "bearing");
+              "bearing; a cage ring needs a fix bearing/cage/ring");
     for (size_t b = 0; b < m.bodies.size(); ++b) at[k][m.bodies[b].tag] = static_cast<int>(b);
     for (size_t r = 0; r < m.rings.size(); ++r) at[k][m.rings[r].tag] = static_cast<int>(r);
     bearings_[k].bodies.resize(m.bodies.size());

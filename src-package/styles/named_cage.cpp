@@ -49,6 +49,11 @@ std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBea
   }
   if (!b.has_cage_ring)
     args.fail("the cage of bearing " + b.name + " is not a ring: give it 'cage ring'");
+  if (words["cage_guide"] != "balls")
+    for (const char *key : {"cage_land", "cage_clearance", "cage_width"})
+      if (std::atof(words[key].c_str()) == 0.0)
+        args.fail("cage_guide " + words["cage_guide"] + " needs " + key +
+                  ": it describes the land and has no estimate");
   const std::set<std::string> out = left_out(args, words["cage_without"]);
   // rounded in the same way as by formulas in a deck
   const auto or_estimate = [&](const char *key, double estimate) {

@@ -11,6 +11,7 @@ CONTACTS = (
 ).split()
 FILM = ["h_min", "lambda"]
 LOSSES = "friction_power damping_power rolling_power hysteresis_power spin_power drag_power"
+CAGE = "pocket_max pocket_sum loss eccentricity".split()
 SUMS = "contacts loaded load_inner load_outer pressure".split()
 
 
@@ -70,7 +71,10 @@ def _contacts(scene, pose):
     ):
         words = f" gothic_arch {arch:.17g}" if arch else ""
         yield f"pair_coeff 1 {type_} {name} {radius:.17g} {groove:.17g}{words}"
-    yield f"pair_coeff 1 {2 if scene['cage'] else 1} sphere 210e9 0.3 3.3e9 0.41"
+    if has_cage_ring(scene):
+        yield "pair_coeff 1 2 cage"
+    else:
+        yield f"pair_coeff 1 {2 if scene['cage'] else 1} sphere 210e9 0.3 3.3e9 0.41"
 
 
 def _create(scene, pose):
@@ -81,16 +85,20 @@ def _create(scene, pose):
         f"create_bearing 1 {2 if cage else 'none'} 3 4 balls {scene['balls']} "
         f"diameter {scene['diameter']:.17g} density {scene['density']:.17g} "
         + (f"cage {cage:.17g} " if cage else "")
+        + ("cage_ring 2 " if has_cage_ring(scene) else "")
         + f"centre {_words(pose.centre)} phase {pose.azimuth(scene['phase']):.17g} "
         f"speed {_words(speed)} seat {seat}"
     )
 
 
 def _fixes(scene, pose):
-    yield from ("group balls type 1", "group moving type 1 2", "group inner type 3")
+    moving = "1" if has_cage_ring(scene) else "1 2"
+    yield from ("group balls type 1", f"group moving type {moving}", "group inner type 3")
     yield from ("group outer type 4", "group cage type 2")
     if scene["cage"]:
         yield "fix rails cage bearing/cage 4"
+    if has_cage_ring(scene):
+        yield f"fix cage cage bearing/cage/ring 1 {_cage_ring(scene, pose)}"
     for number, (ring, kind, azimuth, *rest) in enumerate(scene["flaws"]):
         # in a wave, the order takes the position of the azimuth, and the last word is the phase at
         # azimuth 0
@@ -119,6 +127,13 @@ def _fixes(scene, pose):
         yield f"fix cap balls bearing/capacitance {scene['every']} {scene['capacitance']}"
 
 
+def _cage_ring(scene, pose):
+    words = [f"pockets {scene['balls']} phase {pose.azimuth(scene['phase']):.17g}"]
+    for name, value in scene["cage_ring"].items():
+        words.append(f"{name} {_words(value if isinstance(value, list) else [value])}")
+    return " ".join(words)
+
+
 def _ring(ring, pose):
     words = [f"mass {ring['mass']:.17g} inertia {_words(ring['inertia'])}"]
     for own, (name, mode) in enumerate(ring["freedoms"].items()):
@@ -143,6 +158,10 @@ def _ring(ring, pose):
     if ring["ramp"]:
         words.append(f"ramp {ring['ramp']:g}")
     return " ".join(words)
+
+
+def has_cage_ring(scene):
+    return scene.get("cage_ring") is not None
 
 
 def contact_columns(scene):
@@ -170,6 +189,12 @@ def _output(scene):
     yield "compute total all bearing/total"
     for number, name in enumerate(SUMS):
         yield f"variable t_{name} equal c_total[{number + 1}]"
+    if has_cage_ring(scene):
+        for number, name in enumerate(CAGE):
+            yield f"variable c_{name} equal f_cage[{27 + number}]"
+        values = " ".join(f"${{c_{name}}}" for name in ("now", *CAGE))
+        yield "variable c_now equal step"
+        yield f'fix cage_sums all print {every} "{values}" file ${{out}}/cage.txt screen no'
     yield "variable t_now equal step"
     values = " ".join(f"${{t_{name}}}" for name in ("now", *SUMS))
     yield f'fix sums all print {every} "{values}" file ${{out}}/sums.txt screen no'

@@ -2,7 +2,7 @@
 """Read the output of a run, in the frame of the bearing."""
 
 import numpy as np
-from fuzz.deck import ATOMS, contact_columns, ring_columns
+from fuzz.deck import ATOMS, CAGE, contact_columns, has_cage_ring, ring_columns
 from host import tables
 
 AXIAL = {"omegax", "tilt_1", "mx"}  # first components of axial vectors
@@ -16,14 +16,15 @@ def read(folder, scene, pose):
     # the number of contacts varies, so there is one row for every ball, raceway and groove, which
     # contains 0 if there is no contact
     columns = contact_columns(scene)
-    contacts = []
-    for _, rows in tables(folder / "contacts.dump"):
+    contacts, steps = [], []
+    for step, rows in tables(folder / "contacts.dump"):
+        steps.append(step)
         full = np.zeros((2 * balls, 2, len(columns)))
         for row in rows:
             row = _contact(row, columns, pose, scene)
             full[2 * int(row[0] - 1) + int(row[1]), int(row[2])] = row
         contacts.append(full.reshape(-1, len(columns)))
-    order = _order(balls, cage, pose)
+    order = _order(balls, cage, has_cage_ring(scene), pose)
     atoms = np.array([rows[np.argsort(rows[:, 0])] for _, rows in tables(folder / "atoms.dump")])
     atoms = _vectors(atoms[:, order], ATOMS, pose, ("x", "vx", "omegax"))
     atoms[..., 0] = np.arange(1, len(order) + 1)
@@ -33,14 +34,21 @@ def read(folder, scene, pose):
     for name in ("spin", "angle", "torque"):
         rings[..., names.index(name)] *= pose.sense
     _tilts(rings, names, pose)
+    cage_sums = {}
+    if has_cage_ring(scene):
+        rows = np.loadtxt(folder / "cage.txt", comments="#", ndmin=2)
+        # only LAMMPS prints a row before the first step of a run
+        rows = rows[(rows[:, 0] > steps[0]) & (rows[:, 0] > np.append(-1, rows[:-1, 0]))]
+        cage_sums["cage"] = (CAGE, rows[:, None, 1:])
     return {
         "contacts": (columns, np.array(contacts)),
         "atoms": (ATOMS, atoms),
         "rings": (names, rings),
+        **cage_sums,
     }
 
 
-def _order(balls, cage, pose):
+def _order(balls, cage, ring, pose):
     """Return the index in the lab frame of every atom, in the order of the scene."""
     step = np.arange(balls)
     if pose.sense < 0:
@@ -49,7 +57,7 @@ def _order(balls, cage, pose):
         own_balls = own_cage = step
     parts = [own_balls, balls + own_cage] if cage else [own_balls]
     count = balls * (2 if cage else 1)
-    return np.concatenate([*parts, [count, count + 1]])
+    return np.concatenate([*parts, count + np.arange(3 if ring else 2)])
 
 
 def _contact(row, columns, pose, scene):
@@ -137,6 +145,10 @@ FLOOR = {
     "overlap": 1e-9,
     "friction_power": 1e-3,
     "damping_power": 1e-3,
+    "pocket_max": 1e-2,
+    "pocket_sum": 1e-2,
+    "loss": 1e-3,
+    "eccentricity": 1e-3,
 }
 
 

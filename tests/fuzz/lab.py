@@ -21,7 +21,7 @@ CRASH = re.compile(
 # errors that the physics may cause if a run is longer or slightly different
 LATER = re.compile(
     r"on the far side of the groove|overlapping balls: atoms"
-    r"|bearing/timestep: step \S+ s exceeds what"
+    r"|bearing/timestep: step \S+ s exceeds what|it has left its pocket"
 )
 
 # stack frames of crashes that also occur in the host when the package is not installed

@@ -13,7 +13,8 @@ from fuzz.draw import grammar
 from fuzz.lab import CRASH, HOSTS, LATER, SECONDS, Finding, Refused
 from host import run
 
-SHORT = {"passes": 1, "samples": 20, "settle": 0.1}
+# None: the models of the deck
+SHORT = {"passes": 1, "samples": 20, "settle": 0.1, "models": None}
 WAYS = ("resume", "hosts", "ranks", "summary")
 # settings that describe the run rather than the bearing
 TIMING = ("wall_s", "processor_s", "created", "ranks", "host", "program", "evaluations", "history")
@@ -21,11 +22,12 @@ TIMING = ("wall_s", "processor_s", "created", "ranks", "host", "program", "evalu
 
 def variables(draw):
     usual = grammar("main_deck")
-    chosen = {
-        name: draw.choice(usual[name]) for name in draw.sample(list(usual), draw.randint(1, 6))
-    }
+    chosen = {}
+    for name in draw.sample(list(usual), draw.randint(1, 6)):
+        value = draw.choice(usual[name])
+        chosen |= value if isinstance(value, dict) else {name: value}
     if draw.chance(0.15):
-        chosen[draw.choice(list(usual))] = draw.choice(grammar("hostile")["numbers"])
+        chosen[draw.choice([*chosen])] = draw.choice(grammar("hostile")["numbers"])
     return chosen
 
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 from fuzz import child, figures, statics
-from fuzz.deck import deck
+from fuzz.deck import deck, has_cage_ring
 from fuzz.lab import HOSTS, Finding, same
 from fuzz.pose import MIRRORS, TURNS, UPRIGHT
 from fuzz.rewrites import REWRITES
@@ -90,7 +90,11 @@ def restart(scene, first, lab, draw):
     # it uses full-step velocities
     count = scene["samples"] - steps // scene["every"] + (scene["implicit"] is not None)
     tails = [
-        {name: (columns, table[-count:]) for name, (columns, table) in run.items()}
+        # there is no row of the cage before the first step
+        {
+            name: (columns, table[-min(count, len(after[name][1])) :])
+            for name, (columns, table) in run.items()
+        }
         for run in (whole, after)
     ]
     same(*tails, 0, f"restart at step {steps}")
@@ -129,7 +133,7 @@ def neighbour(scene, first, lab, draw):
     at = next(k for k, line in enumerate(lines) if line.startswith("create_bearing"))
     words = re.sub("centre 0 0 0", f"centre 0 0 {width:.17g}", lines[at])
     lines.insert(at + 1, words)
-    count = scene["balls"] * (2 if scene["cage"] else 1) + 2
+    count = scene["balls"] * (2 if scene["cage"] else 1) + 2 + has_cage_ring(scene)
     half = float(next(line for line in lines if line.startswith("region box")).split()[4])
     lines = [
         f"region box block {f'-{half} {half} ' * 2}-{half} {half + width} units box"
@@ -147,10 +151,13 @@ def neighbour(scene, first, lab, draw):
         re.sub(r"^(compute rings|dump rings) rings", r"\1 first_rings", line) for line in lines
     ]
     at = next(k for k, line in enumerate(lines) if line.startswith("group rings"))
-    lines[at + 1 : at + 1] = [f"group first_rings id {count - 1} {count}"]
+    last = count - has_cage_ring(scene)  # the cage follows the rings
+    lines[at + 1 : at + 1] = [f"group first_rings id {last - 1} {last}"]
     at = next(k for k, line in enumerate(lines) if line.startswith("group balls"))
     lines[at:at] = [f"group first id 1:{count}", f"group first_balls id 1:{scene['balls']}"]
-    same(first, lab.figures(scene, "two", text="\n".join([*lines, ""])), 0, "a second bearing")
+    two = lab.figures(scene, "two", text="\n".join([*lines, ""]))
+    first = {name: table for name, table in first.items() if name != "cage"}  # sums over all cages
+    same(first, two, 0, "a second bearing")
 
 
 def shaft(scene, first, lab, draw):
@@ -176,14 +183,17 @@ def rest(scene, first, lab, draw):
 SCALARS = (
     "ring_shift_m load_parameter q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa "
     "entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F "
-    "friction_torque_N_m losses_W capacitance_total_F asperity_share"
+    "friction_torque_N_m losses_W capacitance_total_F asperity_share "
+    "cage_slip cage_slip_angle cage_slip_groove cage_slip_play cage_orbit_m pocket_play_m "
+    "pocket_force_max_N pocket_force_mean_N"
 ).split()
 
 
 def read(scene, first, lab, draw):
     """`raceway summary` of a record gives the same results in every orientation."""
     columns, table = first["contacts"]
-    if not table[..., columns.index("load")].max(initial=0) > 1e-12:
+    load, side = (table[..., columns.index(name)] for name in ("load", "raceway"))
+    if not all(load[side == k].max(initial=0) > 1e-12 for k in (0, 1)):
         return  # N; below this load, rounding decides which balls touch
     record = f"fix table all bearing/record {scene['every']} ${{out}}/record overwrite yes"
     pose = draw.choice([*TURNS, *MIRRORS])

@@ -25,8 +25,19 @@ def check(scene, figures, folder):
     slack = 1e-9 + 1e-9 * of["normal"].max(initial=0)
     if (of["friction"] > of["mu"] * of["normal"] * (1 + 1e-9) + slack).any():
         raise Finding("friction above mu times the normal force")
+    if "cage" in figures:
+        _cage(*figures["cage"])
     _sums(scene, of, touching, ring)
     _totals(of, touching, folder)
+
+
+def _cage(names, table):
+    of = {name: table[..., names.index(name)] for name in names}
+    for name in ("pocket_max", "loss", "eccentricity"):
+        if of[name].min() < -1e-20:  # rounding in a bearing at rest
+            raise Finding(f"negative {name} of the cage")
+    if (of["pocket_max"] > of["pocket_sum"] * (1 + 1e-9)).any():
+        raise Finding("the largest force on a pocket exceeds the sum of these forces")
 
 
 def _sums(scene, of, touching, ring):
@@ -44,6 +55,8 @@ def _sums(scene, of, touching, ring):
         _close(most, ring["load"][rows, pick], f"largest load of ring {side}")
         if side and (scene["cage"] or "drag" in scene["law"]):
             continue  # rails and drag also exert forces on the ring
+        if ("inner", "outer")[side] in str(scene.get("cage_ring")):
+            continue  # and so does a cage that the ring guides
         radial = np.where(mine, of["normal"] * np.cos(of["angle"]), 0)
         sign = -1 if side == 0 else 1
         axial = np.where(mine, of["normal"] * np.sin(of["angle"]), 0).sum(axis=1)

@@ -19,7 +19,7 @@ def scene(seed):
     bearing = _bearing(draw)
     implicit = draw.chance(0.75)
     spins = [_speed(draw), _speed(draw) if draw.chance(0.15) else 0]
-    return bearing | {
+    made = bearing | {
         "film": film,
         "law": law.words(draw, film),
         "speed": spins,
@@ -33,6 +33,8 @@ def scene(seed):
         "flaws": [_flaw(draw, bearing) for _ in range(draw.choice([0, 0, 0, 1, 2]))],
         "capacitance": draw.maybe(0.5, lambda: _capacitance(draw)) if film else None,
     }
+    ring = draw.maybe(0.35, lambda: _cage_ring(draw, bearing, implicit))
+    return made | ({"cage": None, "cage_ring": ring} if ring else {"cage_ring": None})
 
 
 def _bearing(draw):
@@ -62,6 +64,50 @@ def _bearing(draw):
         "seat": draw.choice([0, 1, -1]) if kind in ("angular", "arch") else 0,
         "overlap_limit": 0.2,
     }
+
+
+def _cage_ring(draw, bearing, implicit):
+    ranges = grammar("scene")["cage_ring"]
+    number = lambda key: draw.number(ranges[key])  # noqa: E731
+    diameter = bearing["diameter"]
+    (inner, groove, _), (outer, _, _) = bearing["grooves"]
+    pitch = (inner + outer) / 2
+    play = number("play") * diameter
+    balls = bearing["balls"] * bearing["density"] * math.pi / 6 * diameter**3
+    mass = balls * number("mass")
+    thick = mass * (pitch**2 + diameter**2 / 12)
+    words = {
+        "play": play,
+        "mass": mass,
+        "inertia": [mass * pitch**2, thick / 2],
+        "young": [2.08e11, number("young")],
+        "friction": draw.choice([0, number("friction")]),
+    }
+    if draw.chance(0.4):
+        words["across"] = play * number("across")
+    if draw.chance(0.3):
+        words["shape"] = draw.choice(["cylinder", "sphere"])
+    if draw.chance(0.3):
+        words["wall"] = number("wall")
+    guide = draw.choice(["balls", "balls", "inner", "outer"])
+    if guide != "balls":
+        off = (1 if guide == "outer" else -1) * number("land") * diameter
+        gap, width = number("clearance") * diameter, number("width") * diameter
+        words["guide"] = [guide, pitch + off, gap, width, draw.choice([1, 2])]
+    if draw.chance(0.7):
+        oil, filled = number("oil"), number("filled")
+        words["oil"] = [oil, filled, draw.choice([0, number("height") * diameter])]
+        # velocity Verlet would need much shorter steps with a squeeze film
+        film = draw.maybe(0.2, lambda: draw.choice([0, number("height") * diameter]))
+        if film is not None or not implicit:
+            words["film"] = film if implicit else 0
+        if not implicit or draw.chance(0.2):
+            words["land_oil"] = 0 if not implicit else number("filled")
+        if draw.chance(0.3):
+            words["churning"] = [number("filled"), 870, oil, pitch + 0.4 * diameter]
+    if draw.chance(0.5):
+        words["planar"] = draw.choice(["yes", "no"])
+    return words
 
 
 def _speed(draw):

@@ -9,6 +9,7 @@ PLAIN = {
     "gravity": None,
     "capacitance": None,
     "cage": None,
+    "cage_ring": None,
     "phase": 0,
     "seat": 0,
     "implicit": "",
@@ -42,8 +43,11 @@ def shrink(scene, fails):
 
 def _smaller(scene):
     for name, value in PLAIN.items():
-        if scene[name] != value and not (name == "film" and scene["law"]):
+        if scene.get(name) != value and not (name == "film" and scene["law"]):
             yield scene | {name: value}
+    for name in sorted({*(scene.get("cage_ring") or {})} - {"play", "mass", "inertia"}):
+        ring = {key: value for key, value in scene["cage_ring"].items() if key != name}
+        yield scene | {"cage_ring": ring}
     for k in range(len(scene["flaws"])):
         yield scene | {"flaws": scene["flaws"][:k] + scene["flaws"][k + 1 :]}
     for which in ("inner", "outer"):

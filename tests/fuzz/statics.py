@@ -30,7 +30,8 @@ def rest(scene):
     still |= {"step": 5.0e-5, "every": 20, "samples": 5, "outer": None, "gravity": None}
     # `seat` displaces the balls, and the displacement would persist if the ring is held
     still |= {} if ring["freedoms"]["z"] == ["free"] else {"seat": 0}
-    return scene | still | {"flaws": [], "capacitance": None, "inner": ring, "cage": None}
+    still |= {"flaws": [], "capacitance": None, "inner": ring, "cage": None, "cage_ring": None}
+    return scene | still
 
 
 def check(scene, lab):

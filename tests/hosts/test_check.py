@@ -99,6 +99,7 @@ def test_verlet_takes_half_the_step(tmp_path, monkeypatch):
         {"inner_mass": 20, "rpm": 10000},
         {"surroundings": "flooded", "inner_shoulder_diameter": 0.06},
         {"viscosity": 0.1},
+        {"heat": "yes", "lubricant": "vg46", "warm_time": 5, "rpm": 3000},
         {"bearing": 7208, "axial": 2000},  # the clearance follows from the contact angle
     ],
     ids=str,

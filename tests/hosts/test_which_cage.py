@@ -72,6 +72,8 @@ def test_command(tmp_path, line):
         ({"cage": "chain", "cage_play": 1e-4}, "cage_play belongs to bearing/cage/ring"),
         ({"models": "paper", "cage_play": 1e-4}, "cage_play belongs to bearing/cage/ring"),
         ({"cage": "no", "cage_mass": 0.01}, "cage_mass belongs to bearing/cage/ring"),
+        ({"cage_guide": "outer"}, "cage_guide outer needs cage_land"),
+        ({"cage_guide": "inner", "cage_land": 26e-3}, "cage_guide inner needs cage_clearance"),
         ({"cage": "rings"}, "cage is 'rings', must be one of auto, yes, no, ring, chain"),
     ],
     ids=lambda value: "" if isinstance(value, str) else "-".join(value),

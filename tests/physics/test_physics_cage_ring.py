@@ -71,6 +71,34 @@ def test_whirl_at_half_the_speeds_takes_the_film_away(physics):
     assert film(physics, 0.6, whirl=74.954)[1] == pytest.approx(-film(physics, 0.6)[1], rel=1e-9)
 
 
+MOTIONS = [(0.0, 0.0), (3e-3, 0.0), (-3e-3, 1e-3), (2e-3, -4e-3), (0.0, 2e-2)]
+
+
+@pytest.mark.parametrize("v", MOTIONS)
+@pytest.mark.parametrize("speed", [0.0, 74.954, -20.0])
+def test_a_mirrored_land_has_the_mirrored_film(physics, v, speed):
+    for e in (1e-3, 0.5, 0.95):
+        found = film(physics, e, speed=speed, v=v)
+        mirrored = film(physics, e, speed=-speed, v=(v[0], -v[1]))
+        assert mirrored * [1, -1] == pytest.approx(found, rel=1e-9, abs=1e-15)
+
+
+@pytest.mark.parametrize("v", MOTIONS)
+@pytest.mark.parametrize("speed", [0.0, 74.954, -20.0])
+def test_the_film_of_a_land_is_the_sum_of_its_line_loads(physics, v, speed):
+    """The load acts where the gap closes, as seen from axes that rotate at half the sum of the
+    speeds."""
+    ball, pitch, _, _ = BEARINGS["6205"]
+    radius, width, c = pitch / 2 + 0.28 * ball, 3e-3, 0.2e-3
+    for e in (0.0, 0.5, 0.9):
+        angle = (np.arange(200000) + 0.5) * 2 * np.pi / 200000
+        closing = v[0] * np.cos(angle) + (v[1] - speed / 2 * e * c) * np.sin(angle)
+        load = OIL * width**3 * np.maximum(closing, 0) / (c * (1 - e * np.cos(angle))) ** 3
+        wanted = -radius * 2 * np.pi * np.mean([load * np.cos(angle), load * np.sin(angle)], axis=1)
+        found = film(physics, e, speed=speed, v=v)
+        assert found == pytest.approx(wanted, rel=1e-6, abs=1e-6 * np.hypot(*wanted) + 1e-12)
+
+
 def test_a_film_resists_every_motion_without_entrainment(physics):
     for e in (1e-9, 0.3, 0.8, 1.4):
         for v in ((1e-3, 0.0), (-1e-3, 0.0), (0.0, 1e-3), (2e-3, -1e-3)):

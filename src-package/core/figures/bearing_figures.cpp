@@ -96,7 +96,7 @@ double thinnest(F f, int) { return f.contacts > 0.0 ? f.h_min : 0.0; }
 double smallest_lambda(F f, int) { return f.contacts > 0.0 ? f.lambda : 0.0; }
 
 const Figure cage_force = {
-    {"cage_force", "N", "largest contact force between balls and cage balls or between balls"},
+    {"cage_force", "N", "largest force between a ball and the cage or between two balls"},
     [](F f, int) { return f.cage_force; },
     Needs::nothing,
     0,
@@ -127,7 +127,7 @@ void add_losses(std::vector<Figure> &list, bool usual)
                       k,
                       table[k].is.key});
   if (!usual)
-    list.push_back({{"cage_power", "W", "power dissipated between balls, cage balls and rails"},
+    list.push_back({{"cage_power", "W", "power dissipated at the cage"},
                     [](F f, int) { return f.cage_loss; },
                     Needs::nothing,
                     couples,

@@ -60,7 +60,7 @@ RACEWAY_INLINE PocketGapT<T> pocket_gap(const CageRing &cage, const Vec3T<T> &e,
 
 // Forces of the oil in a pocket.
 template <class T> struct alignas(sizeof(T)) PocketOilT {
-  SqueezeFilm<T> film = {T(), T()};
+  HalfFilm<T> film = {T(), T()};
   T spring[3] = {}, damper[3] = {};    // derivatives of its coefficients with respect to the
                                        // products of displacement and velocity, as squeeze_film()
   Vec3T<T> velocity;                   // m/s, of the ball as far as the film resists it

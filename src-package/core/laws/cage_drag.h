@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Drag of the oil on a one-piece cage: shear in the pockets, the film between the cage and its
-// guiding land, and churning at the cage's faces. Sources: Petroff's couple and Ocvirk's short
-// bearing (DuBois and Ocvirk, NACA Report 1157, 1953), with whirl as in Booker (J. Basic Eng. 87,
-// 1965); for a disc that rotates in a fluid: Schlichting, Boundary-Layer Theory. All values are in
-// SI units.
+// guiding land (half_film.h), and churning at the cage's faces (Schlichting, Boundary-Layer Theory:
+// a disc that rotates in a fluid). All values are in SI units.
 #pragma once
 
 #include "../numbers/exp_log.h"
+#include "half_film.h"
 
 namespace raceway {
 
@@ -30,9 +29,6 @@ struct LandGap {
                                            // filled with oil
 };
 
-// Largest eccentricity ratio for which the film law is used; beyond it the surfaces touch.
-constexpr double most_eccentric = 0.99;
-
 // Returns Petroff's couple in an eccentric gap, in N m per rad/s of relative speed; e is the ratio
 // of eccentricity to clearance.
 inline double land_couple(const LandGap &g, double e)
@@ -48,30 +44,20 @@ template <class T> struct LandForce {
   T x, y;
 };
 
-// Returns the force of the film of a short bearing, where only the half with positive pressure
-// counts (half film). x, y (m) and vx, vy (m/s) are the position and velocity of the cage relative
-// to the land; `sum` is the sum of the angular speeds of the cage and the land, rad/s. The film
-// resists approach and is dragged round at half that sum, so it does not support a cage that whirls
-// at half the sum.
+// Returns the force of the film. x, y (m) and vx, vy (m/s) are the position and velocity of the
+// cage relative to the land; `sum` is the sum of the angular speeds of the cage and the land,
+// rad/s. A cage that whirls at half the sum is not supported.
 template <class T>
 LandForce<T> land_film(const LandGap &g, const T &x, const T &y, const T &vx, const T &vy,
                        double sum)
 {
-  const double pi = 3.14159265358979323846;
-  const double k = g.lands * g.filled * g.viscosity * g.radius * g.width * g.width * g.width /
-                   (2.0 * g.clearance * g.clearance);
-  const T away = square_root(T(x * x + y * y + 1e-12 * g.clearance * g.clearance));
-  T e = away / g.clearance;
-  e = where(e < most_eccentric, e, most_eccentric);
-  const T share = e / away, ex = x * share, ey = y * share;
-  const T wx = vx / g.clearance, wy = vy / g.clearance;
-  const T out = ex * wx + ey * wy, round = (ex * wy - ey * wx) / e;
-  const T turn = sum * e - 2.0 * round;    // entrainment speed relative to the whirling gap
-  const T m = 1.0 - e * e, root = square_root(m);
-  const T even = pi / (m * root),
-          radial = 3.0 * pi * out / (m * m * root) + 2.0 * magnitude(turn) / (m * m),
-          along = 0.5 * pi * sum / (m * root) + 4.0 * out / (e * m * m);
-  return {-k * (even * wx + radial * ex + along * ey), -k * (even * wy + radial * ey - along * ex)};
+  const double c = g.clearance;
+  const T k =
+      g.lands * g.filled * g.viscosity * g.radius * g.width * g.width * g.width / (c * c * c);
+  const T ux = vx + 0.5 * sum * y, uy = vy - 0.5 * sum * x;
+  const HalfFilm<T> f =
+      half_film(k, eccentricity(c, T(x * x + y * y)), T(x * ux + y * uy), T(ux * ux + uy * uy));
+  return {-(x * f.spring + ux * f.damper), -(y * f.spring + uy * f.damper)};
 }
 
 // Returns the couple (N m) on both faces of a disc of radius r (m) that rotates at w (rad/s) in a

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Squeeze film between a ball and the wall of its cage pocket, which resists their relative motion.
-//
-// The oil forms a band of the height H around the ball, in a gap h = c (1 - e cos(theta)), where e
-// is the displacement of the ball divided by the clearance c. As in a short bearing (DuBois and
-// Ocvirk, NACA Report 1157, 1953), the line load is eta L^3 v cos/h^3 on the side that the ball
-// approaches. It is zero on the other side, where the film cavitates. The integrals over half of
-// the band are exact (substitution of Sommerfeld; Booker, J. Basic Eng. 87, 1965).
+// Squeeze film between a ball and the wall of its cage pocket, which resists their relative motion
+// (half_film.h). The oil forms a band of the height H around the ball, and the clearance of the
+// pocket is c.
 //
 // The effective width L depends on the shape of the pocket. Close to the wall of a spherical pocket
 // the oil also escapes along the band, and the force approaches that between two spheres, which is
@@ -16,10 +12,7 @@
 // in SI units.
 #pragma once
 
-#include "../numbers/dual.h"
-#include "cage_drag.h"
-
-#include <cmath>
+#include "half_film.h"
 
 namespace raceway {
 
@@ -46,35 +39,16 @@ template <class T> RACEWAY_INLINE T film_width_cubed(const PocketFilm &p, const 
   return H3 * spheres / (H3 + spheres + 0.7 * square_root(T(H3 * spheres)));
 }
 
-// Coefficients of the force on the ball, -(spring x + damper v), in N/m and N s/m. x and v are the
-// position and velocity of the ball in its pocket.
-template <class T> struct SqueezeFilm {
-  T spring, damper;
-};
-
-// Returns these coefficients as functions of the products x.x (m^2), x.v (m^2/s) and v.v (m^2/s^2).
-// In a cylindrical pocket, x and v have no component along the axis of the pocket.
+// Returns the film as a function of the products x.x (m^2), x.v (m^2/s) and v.v (m^2/s^2) of the
+// position x and the velocity v of the ball in its pocket. In a cylindrical pocket, x and v have no
+// component along the axis of the pocket.
 template <class T>
-RACEWAY_INLINE SqueezeFilm<T> squeeze_film(const PocketFilm &p, const T &xx, const T &xv,
-                                           const T &vv)
+RACEWAY_INLINE HalfFilm<T> squeeze_film(const PocketFilm &p, const T &xx, const T &xv, const T &vv)
 {
-  const double pi = 3.14159265358979323846, c = p.clearance;
-  const T off = square_root(T(xx + 1e-12 * c * c)), speed = square_root(T(vv + 1e-24));
-  T e = off / c;
-  e = where(e < most_eccentric, e, most_eccentric);
-  // cosine of the angle between motion and displacement, square of its sine
-  const T q = xv / (off * speed), s2 = 1.0 - q * q;
-  const T e2 = e * e, m = 1.0 - e2, root = square_root(m), over = 1.0 / (1.0 - e2 * s2);
-  const T turn = pi + 2.0 * arctangent(T(e * q / root));
-  const T twice = e * root * q * (2.0 * s2 - 1.0 - e2 * s2) * over * over;
-  // integrals of cos^2, sin cos and sin^2 over (1 - e cos)^3; that of sin cos is divided by the
-  // sine of the angle
-  const T along = ((0.5 + e2) * turn + 4.0 * e * root * q * over + twice) / (m * m * root),
-          mixed = 2.0 * e / m * (over - q * q * over * over),
-          across = (0.5 * turn - twice) / (m * root);
-  const T k = film_width_cubed(p, e) * (p.viscosity * p.radius / (c * c * c));
-  const T damper = k * (mixed * q + across);
-  return {(k * (along * q + mixed * s2) - damper * q) * speed / off, damper};
+  const double c = p.clearance;
+  const Eccentricity<T> at = eccentricity(c, xx);
+  const T k = film_width_cubed(p, at.ratio) * (p.viscosity * p.radius / (c * c * c));
+  return half_film(k, at, xv, vv);
 }
 
 }    // namespace raceway

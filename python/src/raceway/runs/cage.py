@@ -143,6 +143,7 @@ def _rolling_slip(tables, start, stop):
     if not {"load", "angle", "a"} <= set(record.contact_columns) or record.two_grooves:
         return math.nan, math.nan
     sums = np.zeros(3)
+    tilted = tables.settings.get("models") != "paper"
     for first, last in record.blocks(start, stop):
         data = record.read(["load", "angle", "a"], first, last)
         sides = [
@@ -154,7 +155,7 @@ def _rolling_slip(tables, start, stop):
         both = (sides[INNER].load > 0) & (sides[OUTER].load > 0)
         load = (sides[INNER].load + sides[OUTER].load)[both]
         sides = [cage_speed.Rolling(*(one[both] for one in side)) for side in sides]
-        speed = cage_speed.rolling(geometry, *sides, tilted=tables.settings["models"] != "paper")
+        speed = cage_speed.rolling(geometry, *sides, tilted=tilted)
         groove = (1 - speed) * cage_speed.shortened(geometry, *sides)
         sums += load.sum(), (load * speed).sum(), (load * speed * (1 + groove)).sum()
     if not sums[0] > 0:

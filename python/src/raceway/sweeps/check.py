@@ -20,6 +20,7 @@ from raceway.runs.settings import deck_words
 from raceway.runs.settling import KEYS, ORBIT
 from raceway.runs.summary import CHECK, identity, summary
 from raceway.runs.tables import RunTables
+from raceway.runs.warming import heated
 from raceway.sweeps.point_run import FAILED, FINISHED, run_point
 
 FINER = 0.1  # factor on the tolerance; for velocity Verlet, the time step is halved instead
@@ -53,6 +54,8 @@ SAME = (
     *("ball_poisson", "viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity"),
     *("roughness_m", "flaws"),
 )
+# results, not data, of a run whose temperatures follow from its losses
+OF_HEAT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity")
 
 
 def variables(tables: RunTables) -> dict[str, str]:
@@ -124,6 +127,7 @@ def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> 
     tables = RunTables(folder)
     variables(tables)  # raises an error for a run without variables, which cannot be repeated
     figures, errors = summary(tables), {}
+    same = [key for key in SAME if not (key in OF_HEAT and heated(tables))]
     for name, words in repeats(tables).items():
         place = Path(folder) / "check" / name
         status, message = run_point(place, {**words, **more}, command, retry=True)
@@ -131,7 +135,7 @@ def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> 
             why = message if status == FAILED else f"{status}: {message}"
             raise RacewayError(f"{place}: {why}")
         again = RunTables(place)
-        for key in SAME:
+        for key in same:
             before, now = (one.settings.get(key) for one in (tables, again))
             if before != now:
                 raise RacewayError(
