@@ -91,6 +91,7 @@ void RunBearing::command(int narg, char **arg)
       ("fix " + std::string(FixBearingRun::fixed_id) + " all bearing/run " + words()).c_str());
   fix_ = bearing::fixes_of<FixBearingRun>(lmp).front();
   if (!fix_->resumed()) plan();
+  else if (fix_->orbit().runs()) shorten_ramps();
   if (now().measures == 0.0) settle();
   measure();
   input->one(("unfix " + std::string(FixBearingRun::fixed_id)).c_str());
@@ -120,10 +121,10 @@ void RunBearing::plan()
   now().start = bearing::SimulatedTime::now(*update);
   if (update->ntimestep != 0) begin_at_step_0(now().start);
   now().pass = bearing::ball_pass_time(lmp, command_name, settings_.angle);
+  begin_search();
   double ramp = 0.0;    // s, time after which the full loads act
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp = std::max(ramp, f->ramp());
-  begin_search();
   // a whole ball pass with adaptive steps precedes the steps of constant length
   const double before = automatic() ? (implicit() ? 0.0 : 1.0) : settings_.settle;
   const double least = fix_->orbit().runs() ? 1e-3 : 1e-2;    // s
@@ -304,10 +305,7 @@ void RunBearing::start_fixes()
       if (automatic()) {
         const bearing::OrbitSearch &orbit = fix_->orbit();
         const bearing::SettlingChanges &c = orbit.found() ? now().changes : now().rest;
-        if (settings_.orbit) {
-          f->note(NetcdfHeader::attribute("orbit", orbit.found() ? "found" : "none"));
-          f->note(NetcdfHeader::attribute("orbit_passes", orbit.now().passes));
-        }
+        if (settings_.orbit) note_orbit(*f);
         f->note(NetcdfHeader::attribute("settled_passes", now().passes));
         f->note(NetcdfHeader::attribute("rest_torque", c.torque));
         f->note(NetcdfHeader::attribute("rest_load", c.load));

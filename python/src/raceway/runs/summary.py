@@ -115,6 +115,10 @@ TOPICS = {
         Row("settled_load", "largest loads", "", "larger value of both raceways"),
         Row("settled_cage_speed", "cage speed", ""),
         Row("settled_spin_axis_rad", "spin axis of the balls", "rad", "load-weighted mean"),
+        Row("orbit", "periodic orbit", None, "settle orbit"),
+        Row("orbit_stability", "  stability", None),
+        Row("orbit_multiplier", "  left of a disturbance", "", "largest Floquet multiplier"),
+        Row("orbit_multiplier_limit", "  left of a disturbance, at most", ""),
     ),
     "Cost": (
         Row("host", "host", None),
@@ -135,6 +139,14 @@ SHOWN = dict.fromkeys(("force_x_N", "force_y_N", "force_z_N"), 1e-2)
 STILL = dict.fromkeys(("shift_z_m", "tilt_x_rad", "tilt_y_rad"), 1e-9)  # m, rad
 STEADY = 1e-3  # fraction of the speed by which a steady speed may vary
 LOOKS = 1000  # number of samples checked for contact patches that extend beyond the shoulder
+# of a run with `settle orbit`
+ORBIT = tuple(
+    f"orbit{name}"
+    for name in (
+        *("", "_passes", "_stability", "_multiplier", "_multiplier_error", "_multiplier_limit"),
+        "_multipliers",
+    )
+)
 CHECK = "check.json"  # in the run's folder, written by `raceway check`
 
 
@@ -197,6 +209,7 @@ def summary(tables: RunTables) -> dict[str, Any]:
     if assumed := str(settings.get("assumed_data") or ""):
         pairs = (word.split("=", 1) for word in assumed.split(","))
         result["assumed_data"] = {name: float(value) for name, value in pairs}
+    result |= {key: settings[key] for key in ORBIT if key in settings}
     if flaws := by_part(settings):
         result["flaws"] = flaws
     if errors := numerical_errors(tables):
