@@ -16,9 +16,9 @@ class LoneStart {
  public:
   // Must be created before MPI_Init. Settings made by the user are kept, and nothing is set if
   // there is a launcher.
-  LoneStart()
+  LoneStart() : alone_(!launched())
   {
-    if (launched()) return;
+    if (!alone_) return;
     offer("OMPI_MCA_ess_singleton_isolated", "1");    // no daemon
     offer("OMPI_MCA_pml", "ob1");                     // no search for fast networks
     // no session folder in /tmp, because simultaneous processes would delete each other's folders
@@ -27,6 +27,8 @@ class LoneStart {
     offer("HWLOC_COMPONENTS", "synthetic");
     offer("HWLOC_SYNTHETIC", "pu:1");
   }
+
+  bool alone() const { return alone_; }    // true if there is no launcher
 
   // Must be called after MPI_Init, so that programs started by a deck (`shell mpirun ...`) do not
   // inherit the settings.
@@ -37,6 +39,7 @@ class LoneStart {
   }
 
  private:
+  bool alone_;
   std::vector<std::string> set;
 
   void offer(const char *name, const char *value)

@@ -14,9 +14,7 @@ from raceway.files import FilePath
 LARGEST = 1 << 18  # characters; parsing a file of this size already takes seconds
 # A line of a flat file whose key and value are plain scalars, without any character that is special
 # in YAML. Runs write such files, and PyYAML takes 7 ms for one of them.
-PLAIN = re.compile(
-    r"([A-Za-z_]\w*): (-?[A-Za-z0-9.+][\w.+/=,;()-]*(?: [\w.+/=,;()-]+)*)", re.ASCII
-)
+PLAIN = re.compile(r"([A-Za-z_]\w*): (-?[A-Za-z0-9.+][\w.+/=,;()-]*(?: [\w.+/=,;()-]+)*)", re.ASCII)
 
 
 class _Loader(yaml.BaseLoader):

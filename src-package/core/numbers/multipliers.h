@@ -21,7 +21,7 @@ namespace raceway {
 struct Multiplier {
   std::complex<double> value;
   double error = 0.0;
-  double modulus() const { return std::abs(value); }    // what is left of a change
+  double modulus() const { return std::abs(value); }                // what is left of a change
   double turn() const { return std::arg(value) / (2.0 * M_PI); }    // of the change, in turns
   double relative_error() const { return modulus() > 0.0 ? error / modulus() : HUGE_VAL; }
   bool known() const { return relative_error() <= 0.1; }
@@ -158,9 +158,8 @@ inline std::vector<Multiplier> multipliers(const std::vector<std::vector<double>
     const bool real = std::fabs(value.imag()) < 1e-6 * std::abs(value);
     all.push_back({real ? Complex(value.real()) : value, std::sqrt(error)});
   }
-  std::sort(all.begin(), all.end(), [](const Multiplier &a, const Multiplier &b) {
-    return a.modulus() > b.modulus();
-  });
+  std::sort(all.begin(), all.end(),
+            [](const Multiplier &a, const Multiplier &b) { return a.modulus() > b.modulus(); });
   return all;
 }
 

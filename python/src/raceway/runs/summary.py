@@ -439,7 +439,7 @@ def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
     losses = figures["losses_W"] or dict.fromkeys(LOSSES)
     flaws = figures.get("flaws", {})
     return {
-        **dict.fromkeys(CageFigures._fields),
+        **dict.fromkeys((*CageFigures._fields, *ORBIT)),
         **dict.fromkeys(row.key for row in warming.ROWS),
         **result,
         **{key: why for key, why in figures["absent"].items() if key in models.HEADLINES},
