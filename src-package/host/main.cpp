@@ -34,6 +34,15 @@ static bool started_by_mpich()
   return size == 1 && started && atoi(started) > 1;
 }
 
+// The first grid of processes makes Open MPI load libraries, which all copies then share.
+static void open_topologies()
+{
+  const int processes = 1, periodic = 0;
+  MPI_Comm grid;
+  MPI_Cart_create(MPI_COMM_SELF, 1, &processes, &periodic, 0, &grid);
+  MPI_Comm_free(&grid);
+}
+
 int main(int argc, char **argv)
 {
   LoneStart start;
@@ -53,6 +62,7 @@ int main(int argc, char **argv)
   std::vector<std::string> words;
   std::vector<char *> arguments;
   if (serves) {
+    open_topologies();
     is_copy = RunServer().next(words);
     if (!is_copy) {
       MPI_Finalize();
