@@ -111,8 +111,9 @@ variable later string ${out}/later
 fix later all bearing/record 20 ${later}
 run 600
 """
-# a second thrust bearing, whose multiplier is larger
+# other bearings under thrust, whose multipliers are larger
 SLOWER = {**FULL, "bearing": 7208, "axial": 500, "load": "1e-3", "rpm": 6000}
+FASTER = {**FULL, "bearing": "7206B", "axial": 500, "load": "1e-3", "rpm": 8000}
 
 
 def decays(folder, largest):
@@ -134,7 +135,7 @@ def decays(folder, largest):
     return {name: (one[1:] / one[:-1])[small[1:] & small[:-1]] for name, one in steps.items()}
 
 
-@pytest.mark.parametrize("scene", [THRUST, SLOWER], ids=["7205B", "7208"])
+@pytest.mark.parametrize("scene", [THRUST, SLOWER, FASTER], ids=["7205B", "7208", "7206B"])
 def test_multiplier_is_the_decay_of_a_disturbed_run(scene, tmp_path):
     """The orbital speeds of all balls are reduced by 5 % on the orbit. The cage speed and the spins
     then return to the orbit as its largest multiplier states."""
