@@ -3,6 +3,7 @@
 // The styles are provided by the shared object to which this program is linked.
 #include <mpi.h>
 
+#include "../deck/given_variables.h"
 #include "input.h"
 #include "lammps.h"
 #include "lone_start.h"
@@ -71,6 +72,7 @@ int main(int argc, char **argv)
     for (std::string &word : words) arguments.push_back(&word[0]);
     argc = static_cast<int>(arguments.size());
     argv = arguments.data();
+    raceway_set_command_line(argc, argv);
   }
   LAMMPS_NS::LAMMPS *host = new LAMMPS_NS::LAMMPS(argc, argv, MPI_COMM_WORLD);
   host->input->file();

@@ -9,6 +9,7 @@ import time
 
 import pytest
 from host import ENVIRONMENT, ROOT, run
+from raceway.runs.tables import RunTables
 from raceway.sweeps import host_run, run_server
 
 from scenarios.test_run_bearing import differ
@@ -19,13 +20,12 @@ QUICK = {"models": "paper", "settle": "1", "passes": "1", "samples": "20"}
 
 @pytest.fixture(autouse=True)
 def one_server(monkeypatch):
-    """Each test has its own server, and ends it."""
+    """Each test has its own server, and ends it. pytest would change the environment during the
+    test."""
     monkeypatch.chdir(ROOT)
-    run_server.shared.cache_clear()
+    monkeypatch.delenv("PYTEST_CURRENT_TEST")
     yield
-    if run_server.shared.cache_info().currsize and (server := run_server.shared(PROGRAM)):
-        server.close()
-    run_server.shared.cache_clear()
+    run_server.forget()
 
 
 def words(deck="inputs/in.6208", **variables):
@@ -41,12 +41,36 @@ def served(log, deck="inputs/in.6208", **options):
 
 def test_results_are_bitwise_those_of_the_program(tmp_path):
     """The second run of a server, too."""
+    server = run_server.shared(PROGRAM)
     done = run("inputs/in.6208", out=tmp_path / "program", **QUICK)
     assert done.code == 0
     for name in ("first", "second"):
         assert served(tmp_path / "log", **QUICK, out=tmp_path / name) == 0
         assert differ(tmp_path / "program", tmp_path / name) == []
-    assert run_server.shared.cache_info().currsize == 1 and run_server.shared(PROGRAM)
+    assert server and server is run_server.shared(PROGRAM)
+
+
+def test_a_run_has_its_own_command_line(tmp_path):
+    """Data of bearings are not variables of the deck; a variable that is neither is rejected."""
+    assert served(tmp_path / "log", **QUICK, out=tmp_path / "run", ball_poisson=0.1) == 0
+    settings = RunTables(tmp_path / "run").settings
+    assert settings["given_data"] == "ball_poisson=0.1" and settings["ball_poisson"] == 0.1
+    assert served(tmp_path / "log", **QUICK, out=tmp_path / "next") == 0
+    assert RunTables(tmp_path / "next").settings["given_data"] == "none"
+    assert served(tmp_path / "log", **QUICK, out=tmp_path / "wrong", ball_poison=0.1) == 1
+    assert "the deck has no such variable" in (tmp_path / "log").read_text(errors="replace")
+
+
+def test_a_run_has_the_folder_and_the_environment_of_its_caller(tmp_path, monkeypatch):
+    """Also if they have changed since the server was started."""
+    (tmp_path / "in.said").write_text('shell sh -c "pwd; echo $SAID"\n')
+    for said in ("one", "other"):
+        folder = tmp_path / said
+        folder.mkdir()
+        monkeypatch.chdir(folder)
+        monkeypatch.setenv("SAID", said)
+        assert served(tmp_path / "log", "../in.said") == 0
+        assert f"{folder}\n{said}\n" in (tmp_path / "log").read_text()
 
 
 @pytest.mark.parametrize(
@@ -75,11 +99,13 @@ def test_a_killed_run_has_its_signal(tmp_path):
 
 
 def test_without_a_server_the_program_is_started(tmp_path):
-    """The server was killed between two runs."""
+    """The server was killed between two runs. The run after the next has a new server."""
     server = run_server.shared(PROGRAM)
     server._process.kill()
     server._process.wait()
     assert served(tmp_path / "log", **QUICK, out=tmp_path / "run") == 0
+    assert server.closed and run_server.shared(PROGRAM) is not server
+    assert served(tmp_path / "log", **QUICK, out=tmp_path / "next") == 0
 
 
 def test_a_server_ends_with_its_process():

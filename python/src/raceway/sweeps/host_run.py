@@ -60,7 +60,6 @@ def _start(words, output, keep, served):
             return process, os.dup(process.done.fileno())
         except OSError:  # the server was killed
             server.close()
-            run_server.shared.cache_clear()
     # The program has its own session, because Ctrl-C would otherwise end it before it can be
     # stopped.
     process = subprocess.Popen(

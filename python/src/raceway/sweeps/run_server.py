@@ -12,7 +12,6 @@ import socket
 import struct
 import subprocess
 from collections.abc import Callable, Sequence
-from functools import cache
 from pathlib import Path
 from typing import BinaryIO
 
@@ -25,11 +24,12 @@ PATIENCE = 10.0  # s, for a server to start
 class RunServer:
     """A server of the program at the path `program`.
 
-    It ends when this process ends. Raise `OSError` if the program cannot be started or cannot
+    It ends when this process ends. `closed` is True after `close`. Raise `OSError` if the program cannot be started or cannot
     serve.
     """
 
     def __init__(self, program: str) -> None:
+        self.closed = False
         self._socket, other = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with other:
             self._process = subprocess.Popen(
@@ -58,6 +58,7 @@ class RunServer:
 
     def close(self) -> None:
         """End the server. A run that it has started continues."""
+        self.closed = True
         self._socket.close()
         self._process.kill()
         self._process.wait()
@@ -91,13 +92,36 @@ class ServedRun:
             pass
 
 
-@cache
+class _Kept:
+    """The server of this process, or None if the program cannot serve, and what it was started
+    for."""
+
+    server: RunServer | None = None
+    key: object = None
+
+
 def shared(program: str) -> RunServer | None:
     """Return the server of this process for `program`, or None if that is not one of the programs
-    of the source tree, or if it cannot serve, for example within a job of several ranks."""
+    of the source tree, or if it cannot serve, for example within a job of several ranks.
+
+    It serves one run at a time. A run has the folder and the environment of its server, so another
+    server is started if they have changed.
+    """
     if Path(program).parts[-2:] not in {path.parts[-2:] for path in BUILT.values()}:
         return None
-    try:
-        return RunServer(program)
-    except OSError:
-        return None
+    key = (program, os.getcwd(), dict(os.environ))
+    if key != _Kept.key or (_Kept.server and _Kept.server.closed):
+        forget()
+        try:
+            _Kept.server = RunServer(program)
+        except OSError:
+            pass
+        _Kept.key = key
+    return _Kept.server
+
+
+def forget() -> None:
+    """End the server of this process."""
+    if _Kept.server:
+        _Kept.server.close()
+    _Kept.server = _Kept.key = None
