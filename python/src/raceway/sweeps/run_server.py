@@ -24,8 +24,8 @@ PATIENCE = 10.0  # s, for a server to start
 class RunServer:
     """A server of the program at the path `program`.
 
-    It ends when this process ends. `closed` is True after `close`. Raise `OSError` if the program cannot be started or cannot
-    serve.
+    It ends when this process ends. `closed` is True after `close`. Raise `OSError` if the program
+    cannot be started or cannot serve.
     """
 
     def __init__(self, program: str) -> None:
