@@ -10,6 +10,7 @@
 #ifndef RUN_SERVER_H
 #define RUN_SERVER_H
 
+#include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <string>

@@ -68,8 +68,7 @@ void RunBearing::say_search()
   if (fix_->orbit().found()) {
     print_line(lmp, "Orbit after " + after);
     say_multipliers();
-  }
-  if (!fix_->orbit().runs() && !fix_->orbit().found())
+  } else if (!fix_->orbit().runs())
     print_line(lmp, "No orbit: no ball pass of " + after +
                         " repeats the previous one. Settling until they agree");
 }

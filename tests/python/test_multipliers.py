@@ -98,3 +98,9 @@ def test_the_last_values_may_be_too_close_to_each_other():
     g = np.concatenate([value, near @ a.T]) + 1e-7 * numbers.normal(size=(5, 20))
     found, error, kind = multipliers(x, g)
     assert found[0] == pytest.approx(0.8, rel=1e-3) and error[0] < 1e-3 and kind[0] == STABLE
+
+
+def test_starts_that_do_not_differ_have_no_multipliers():
+    x = np.ones((3, 20))
+    found, _, _ = multipliers(x, 2 * x)
+    assert len(found) == 0

@@ -124,8 +124,9 @@ class FixedPoint {
     }
     std::vector<Multiplier> best;
     while (!changes.empty() && !(!best.empty() && best[0].relative_error() <= 1e-2)) {
-      std::vector<Multiplier> found = raceway::multipliers(changes, images);
-      if (best.empty() || found[0].relative_error() < best[0].relative_error()) best = found;
+      const std::vector<Multiplier> found = raceway::multipliers(changes, images);
+      if (!found.empty() && (best.empty() || found[0].relative_error() < best[0].relative_error()))
+        best = found;
       changes.erase(changes.begin());
       images.erase(images.begin());
     }

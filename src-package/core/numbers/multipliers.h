@@ -156,7 +156,8 @@ inline std::vector<Multiplier> multipliers(const std::vector<std::vector<double>
       error += std::norm(left);
     }
     const bool real = std::fabs(value.imag()) < 1e-6 * std::abs(value);
-    all.push_back({real ? Complex(value.real()) : value, std::sqrt(error)});
+    if (std::isfinite(error))
+      all.push_back({real ? Complex(value.real()) : value, std::sqrt(error)});
   }
   std::sort(all.begin(), all.end(),
             [](const Multiplier &a, const Multiplier &b) { return a.modulus() > b.modulus(); });
