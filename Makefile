@@ -59,7 +59,7 @@ SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-om
 # so is a source that tests link without the rest of its folder, which needs a host.
 HOSTLESS := $(filter-out src-package/core/interface/%,$(wildcard src-package/core/*/*.cpp))
 ALONE := $(wildcard $(patsubst %,src-package/core/%.cpp,step/raceway_contacts_* contact/contact_lanes* \
-                                                        contact/any_law* figures/capacitor_table figures/settling_rest))
+                                                        contact/any_law* figures/capacitor_table))
 TABLES := $(patsubst %,src-package/core/%,$(shell cat src-package/core/interface/tables.txt))
 unit_core_tables := $(TABLES)
 OTHERS := $(filter-out $(ALONE) $(TABLES),$(HOSTLESS))

@@ -224,6 +224,15 @@ void FixBearingHeat::setup(int)
       for (const Row &row : rows_) write_row(row);
   }
   last_step_ = -1;
+  together_.clear();
+  for (FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp)) {
+    if (f->idle_) continue;
+    together_.push_back(f);
+    if (f->control_.until != control_.until)
+      BRG_ALL(bearing::name_of(*this) + ": warm_time is " + text(control_.until) +
+              " s, but that of fix " + f->id + " is " + text(f->control_.until) +
+              " s; all bearings share one thermal clock");
+  }
 }
 
 void FixBearingHeat::begin_step()
@@ -246,8 +255,12 @@ void FixBearingHeat::apply_oil()
     for (FixBearingCageRing *f : bearing::fixes_of<FixBearingCageRing>(lmp))
       f->set_viscosity(bearing_->name, oil_datum("viscosity"));
   }
-  const bool moves = now_.stage == RAMP || now_.stage == LAST;
-  grow(moves ? std::min(1.0, now_.since / pass_) : 1.0);
+  // a new contact law has the sizes of cold parts, in every bearing
+  for (FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp)) {
+    if (f->idle_ || !f->bearing_) continue;
+    const bool moves = f->now_.stage == RAMP || f->now_.stage == LAST;
+    f->grow(moves ? std::min(1.0, f->now_.since / f->pass_) : 1.0);
+  }
   for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) f->laws_changed();
 }
 
@@ -294,14 +307,16 @@ void FixBearingHeat::end_of_step()
         now_.sum.outer += dt * p.outer;
         now_.summed += dt;
       }
-      if (now_.since >= nearly && now_.summed > 0.0) end_pass();
+      if (now_.since >= nearly && now_.summed > 0.0) now_.stage = READY;
       break;
     default: break;
   }
+  const auto ready = [](const FixBearingHeat *f) { return f->now_.stage == READY; };
+  if (std::all_of(together_.begin(), together_.end(), ready)) jump_together(together_);
 }
 
-// Lets the temperatures jump according to the mean losses during the last ball pass.
-void FixBearingHeat::end_pass()
+// Returns the mean values of the last ball pass.
+HeatPass FixBearingHeat::mean_pass() const
 {
   HeatPass seen = now_.sum;
   const double share = 1.0 / now_.summed;
@@ -309,9 +324,44 @@ void FixBearingHeat::end_pass()
   seen.inner *= share;
   seen.outer *= share;
   seen.convection = convection();
+  return seen;
+}
+
+// Lets the temperatures of all bearings jump by the same time, the shortest that any of them
+// permits, so that they share one thermal clock. They continue until all of them are steady.
+void FixBearingHeat::jump_together(const std::vector<FixBearingHeat *> &bearings)
+{
+  double length = 0.0, steady = bearings.front()->control_.steady;
+  const auto tried = [](const FixBearingHeat *f, const HeatControl &c) {
+    HeatState s = f->now_.heat;
+    heat_jump(s, f->mean_pass(), f->network_, c);
+    return s;
+  };
+  const auto ends = [&](const FixBearingHeat *f) { return tried(f, f->control_).end != 0.0; };
+  if (bearings.size() > 1 && !std::all_of(bearings.begin(), bearings.end(), ends)) {
+    steady = -1.0;
+    for (const FixBearingHeat *f : bearings) {
+      HeatControl c = f->control_;
+      c.steady = steady;
+      const double own = tried(f, c).length;
+      if (own > 0.0) length = length > 0.0 ? std::min(length, own) : own;
+    }
+  }
+  for (FixBearingHeat *f : bearings) {
+    HeatControl c = f->control_;
+    c.steady = steady;
+    c.length = length;
+    f->jump(c);
+  }
+}
+
+// Lets the temperatures jump according to the mean losses during the last ball pass.
+void FixBearingHeat::jump(const HeatControl &control)
+{
+  const HeatPass seen = mean_pass();
   HeatState &heat = now_.heat;
   now_.jump = heat.length;
-  heat_jump(heat, seen, network_, control_);
+  heat_jump(heat, seen, network_, control);
   for (int k = 0; k < parts; ++k) {
     now_.from[k] = now_.to[k];
     now_.to[k] = heat.law[k];

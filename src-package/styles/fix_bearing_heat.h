@@ -53,7 +53,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
                                                          // bearing has the given clearance
 
  private:
-  enum Stage { WAIT, RAMP, WATCH, LAST, STAY };
+  enum Stage { WAIT, RAMP, WATCH, LAST, STAY, READY };
   static constexpr int parts = 3;    // inner ring, balls and outer ring, whose strains are tracked
   // Contains only doubles, so that it can be written to restart files.
   struct State {
@@ -86,7 +86,9 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   double clearance() const;
   raceway::HeatPass losses();
   void enter(Stage);
-  void end_pass();
+  raceway::HeatPass mean_pass() const;
+  static void jump_together(const std::vector<FixBearingHeat *> &);
+  void jump(const raceway::HeatControl &);
   void write_row(const Row &);
   void say(double power) const;
 
@@ -104,7 +106,8 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   bigint last_step_ = -1;    // last step that has been started
   bool apply_ = false, rewrite_ = false;
   State now_;
-  std::vector<Row> rows_;    // rows of the file
+  std::vector<FixBearingHeat *> together_;    // all bearings that are heated, including this one
+  std::vector<Row> rows_;                     // rows of the file
   std::string file_name_;
   bearing::TextFile file_;
 };

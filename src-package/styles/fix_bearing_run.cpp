@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_run.h"
 
+#include "../core/figures/fix_columns.h"
 #include "../ranks/gather.h"
 #include "compute_bearing_total.h"
 #include "fix_bearing_cage_ring.h"
@@ -45,17 +46,10 @@ double FixBearingRun::pockets() const
 void FixBearingRun::end_of_step()
 {
   if (now_.steps == 0.0 || now_.measures != 0.0) return;
-  const double done = static_cast<double>(update->ntimestep) - now_.begin_steps;
+  const double done = static_cast<double>(update->ntimestep) - now_.first_step;
   if (done == 0.0 && orbit_.runs()) orbit_.begin(lmp);
   if (!(done > 0.0) || std::fmod(done, now_.every) != 0.0) return;
-  const SettlingSample s = sample();
-  SettlingSample &sum = now_.sum;
-  sum.torque += s.torque;
-  sum.cage_speed += s.cage_speed;
-  sum.pocket_force += s.pocket_force;
-  sum.weight += s.weight;
-  for (int k = 0; k < 2; ++k) sum.load[k] += s.load[k];
-  for (int k = 0; k < 3; ++k) sum.axis[k] += s.axis[k];
+  now_.sum.add(sample());
   now_.samples += 1.0;
   if (done >= (now_.passes + 1.0) * now_.steps) end_pass();
 }
@@ -91,23 +85,37 @@ SettlingSample FixBearingRun::sample()
   for (const double power : of.loss) s.torque += power;
   s.torque += of.cage_loss;
   s.cage_speed = of.cage_speed();
-  if (has_pockets_) s.pocket_force = of.cage_force;
+  if (!has_pockets_) return s;
+  s.pocket_force = of.cage_force;
+  s.cage_orbit = cage_orbit();
   return s;
+}
+
+// Returns the mean of all one-piece cages.
+double FixBearingRun::cage_orbit()
+{
+  using namespace bearing::of_fix_ring;
+  double sum = 0.0, cages = 0.0;
+  for (FixBearingCageRing *f : bearing::fixes_of<FixBearingCageRing>(lmp))
+    for (int row = 0; row < f->size_array_rows; ++row) {
+      const Vec3 at = {f->compute_array(row, X), f->compute_array(row, Y),
+                       f->compute_array(row, Z)};
+      const Vec3 off = at - pair_->axis() * dot(at, pair_->axis());
+      const double half_play = f->settings().of.along;
+      if (half_play > 0.0) sum += std::sqrt(dot(off, off)) / half_play;
+      cages += 1.0;
+    }
+  return sum / cages;
 }
 
 void FixBearingRun::end_pass()
 {
-  SettlingSample &mean = now_.sum;
-  const double share = 1.0 / now_.samples;
-  for (double *one :
-       {&mean.torque, &mean.load[0], &mean.load[1], &mean.cage_speed, &mean.pocket_force,
-        &mean.weight, &mean.axis[0], &mean.axis[1], &mean.axis[2]})
-    *one *= share;
-  passes_.push_back(mean);
-  mean = SettlingSample();
+  passes_.push_back(now_.sum.times(1.0 / now_.samples));
+  now_.sum = SettlingSample();
   now_.samples = 0.0;
   now_.passes += 1.0;
-  now_.rest = bearing::settling_rest(passes_);
+  if (now_.counted != 0.0) return;
+  estimate_rest();
   if (orbit_.runs()) search_orbit();
 }
 
@@ -125,7 +133,7 @@ void FixBearingRun::search_orbit()
   passes_.clear();
   now_.passes = 0.0;
   now_.changes = now_.rest = bearing::SettlingChanges();
-  now_.begin_steps = static_cast<double>(update->ntimestep);
+  now_.first_step = now_.begin_steps = static_cast<double>(update->ntimestep);
 }
 
 // Called after the fix that may stop the run and write a restart file. In that case,

@@ -23,6 +23,7 @@ class FixBearingRun : public Fix {
   // Contains only doubles, so that it can be written to restart files.
   struct State {
     double measures = 0.0;               // 1 if the bearings have settled
+    double counted = 0.0;                // 1 if the number of ball passes to settle is given
     double step_length = 0.0;            // s; with adaptive steps, the step of the measurement
     double every = 1.0, within = 1.0;    // host steps per sample; samples per step
     double pass = 0.0;                   // s, duration of a ball pass
@@ -32,8 +33,8 @@ class FixBearingRun : public Fix {
                                          // load ramp
     double begin_steps = 0.0;            // number of steps in this part; 0 until adaptive steps
                                          // have ended
-    double passes = 0.0;                 // number of ball passes evaluated since the end of this
-                                         // part
+    double first_step = 0.0;             // step at which the first evaluated ball pass begins
+    double passes = 0.0;                 // number of ball passes evaluated since then
     double steps = 0.0;                  // steps per ball pass, a multiple of `every`; 0 if unset
     double samples = 0.0;                // number of samples in the current ball pass
     double settled = 0.0;                // `settle orbit` ends when the changes are below this
@@ -44,7 +45,7 @@ class FixBearingRun : public Fix {
     bearing::SettlingSample sum;         // sum of the samples
     bearing::SettlingChanges changes;    // changes between the last two ball passes, for `settle
                                          // orbit`
-    bearing::SettlingChanges rest;       // estimated remaining changes
+    bearing::SettlingChanges rest;       // estimated remaining changes, if settling depends on them
   };
 
   FixBearingRun(class LAMMPS *, int, char **);
@@ -60,6 +61,13 @@ class FixBearingRun : public Fix {
   // This function may also be called before a run.
   double pockets() const;
   State &now() { return now_; }
+  // Estimates the remaining changes from the ball passes that have been evaluated.
+  void estimate_rest() { now_.rest = bearing::settling_rest(passes_); }
+  // Returns how far means over `window` ball passes wander (settling_wander()).
+  bearing::SettlingChanges wander(double window) const
+  {
+    return bearing::settling_wander(passes_, static_cast<size_t>(window));
+  }
   bearing::OrbitSearch &orbit() { return orbit_; }
 
  private:
@@ -73,6 +81,7 @@ class FixBearingRun : public Fix {
   class ComputeBearingTotal *total_ = nullptr;
 
   bearing::SettlingSample sample();
+  double cage_orbit();
   void end_pass();
   void search_orbit();
 };

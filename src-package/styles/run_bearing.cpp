@@ -132,6 +132,7 @@ void RunBearing::plan()
   plan_samples();
   plan_coarse();
   if (implicit()) plan_steps();
+  if (implicit() && !automatic()) plan_history();
 }
 
 // Sets the number of samples per ball pass requested by the records, and the number of samples per
@@ -163,8 +164,20 @@ void RunBearing::plan_samples()
 void RunBearing::plan_steps()
 {
   fix_step(settings_.step == 0.0 ? sampled_length() : settings_.step);
-  now().begin_steps = std::ceil(now().begin / now().step_length);
+  now().first_step = now().begin_steps = std::ceil(now().begin / now().step_length);
   if (fix_->orbit().runs()) now().steps = steps_a_pass();
+}
+
+// Lets the last ball passes before the measurement be evaluated, although their number is given.
+// They show how far the results wander.
+void RunBearing::plan_history()
+{
+  constexpr double most = 200.0;
+  const double passes = std::min(std::floor(settings_.settle), most);
+  now().counted = 1.0;
+  if (passes == 0.0) return;
+  now().steps = steps_a_pass();
+  now().first_step = std::max(0.0, now().begin_steps - passes * now().steps);
 }
 
 // Returns the time (s) spanned by the samples within a host step.
@@ -285,7 +298,7 @@ void RunBearing::warm_up()
         std::floor((static_cast<double>(update->ntimestep) - now().begin_steps) / steps) + 1.0;
     input->one(("run " + digits(now().begin_steps + passes * steps) + " upto post no").c_str());
   }
-  now().begin_steps = static_cast<double>(update->ntimestep);
+  if (automatic()) now().begin_steps = static_cast<double>(update->ntimestep);
 }
 
 double RunBearing::steps_a_pass()
@@ -302,18 +315,7 @@ void RunBearing::start_fixes()
       f->set_samples_a_pass(written(now().a_pass));
       f->note(NetcdfHeader::attribute("passes", settings_.passes), true);
       f->note(NetcdfHeader::attribute("settling_evaluations", now().evaluations));
-      if (automatic()) {
-        const bearing::OrbitSearch &orbit = fix_->orbit();
-        const bearing::SettlingChanges &c = orbit.found() ? now().changes : now().rest;
-        if (settings_.orbit) note_orbit(*f);
-        f->note(NetcdfHeader::attribute("settled_passes", now().passes));
-        f->note(NetcdfHeader::attribute("rest_torque", c.torque));
-        f->note(NetcdfHeader::attribute("rest_load", c.load));
-        f->note(NetcdfHeader::attribute("rest_cage_speed", c.cage_speed));
-        f->note(NetcdfHeader::attribute("rest_spin_axis_rad", c.spin_axis));
-        if (fix_->pockets() > 0.0)
-          f->note(NetcdfHeader::attribute("settled_pocket_fall", c.pocket_fall));
-      }
+      note_settling(*f);
     }
     if (auto *f = dynamic_cast<bearing::WaitsForRun *>(modify->fix[k]); f && f->waits())
       f->measure(sampling());
@@ -335,6 +337,8 @@ void RunBearing::measure()
             std::to_string(update->ntimestep) + ", beyond these passes, " + text(steps) +
             " steps: use more passes");
   set_step(now().step_length);
+  if (now().counted != 0.0) fix_->estimate_rest();
+  if (update->ntimestep == 0) say_cage_orbit();
   start_fixes();
   if (!implicit())
     input->one(("fix " + step_id + " all bearing/timestep 1000 exceed stop").c_str());

@@ -43,6 +43,7 @@ class RunBearing : public bearing::CommandBase {
   void plan();
   void plan_samples();
   void plan_steps();
+  void plan_history();
   void settle();
   void settle_adaptively();
   void warm_up();
@@ -56,6 +57,8 @@ class RunBearing : public bearing::CommandBase {
   bool rests_are_small();
   void say_pass();
   std::string pocket_fall();
+  void say_cage_orbit();
+  void note_settling(class FixBearingRecord &);
   bool automatic() const { return settings_.automatic; }
   std::string why_no_orbit();
   void begin_search();

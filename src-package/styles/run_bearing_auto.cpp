@@ -36,6 +36,7 @@ void RunBearing::settle_until_still()
 {
   const double steps = steps_a_pass();
   now().steps = steps;
+  now().first_step = now().begin_steps;
   while (!still() && now().passes < settings_.limit) {
     const bool searches = fix_->orbit().runs();
     plan_pass();

@@ -2,8 +2,9 @@
 """Predict the lines measured in nine setups of the motor bearing of Case Western Reserve University
 (cwru/lines.csv). For each setup and one value of the thrust, the script finds the clearance that
 explains the line measured at the first speed, and predicts the lines at the other speeds with this
-clearance. It also runs the main deck with this clearance at the first speed, and finds the
-clearances for other values of the thrust. It writes build/bench/cwru.rst and docs/images/cwru.png.
+clearance. It also runs the main deck with this clearance and the flaw at the first speed, and finds
+the clearances for other values of the thrust. It writes build/bench/cwru.rst and
+docs/images/cwru.png.
 
     .venv/bin/python tests/bench/cwru.py [--no-runs]
 """
@@ -18,7 +19,7 @@ from typing import NamedTuple
 import matplotlib
 import numpy as np
 import raceway
-from raceway import identify
+from raceway import envelope, identify, spectrum
 from raceway.recordings.prediction import Model
 from raceway.recordings.readings import Point, Reading, Readings
 
@@ -74,22 +75,35 @@ def predicted(setup, state):
     return np.array([one.value for one in Model(readings(setup, setup.orders, {})).predict(state)])
 
 
+def flaw(setup):
+    """Return the deck's variable for the flaw of a setup, and its value: a spall as long as the
+    flaw's diameter, and across the groove. 6 o'clock is the direction of the load."""
+    ring, mil, _, *where = setup.name.split()
+    azimuth = np.deg2rad(90 - 30 * float(where[1] if where else 6))
+    return f"flaw_{ring}", f"notch {azimuth:.4f} {25.4e-6 * float(mil):.4g} full 1.0e-3 2.0e-5"
+
+
 def of_a_run(setup, play, folder):
-    """Return the order of the line that corresponds to the cage speed of a run at the first
-    speed."""
+    """Return the order of the line in a run with the flaw at the first speed. As in the recordings,
+    the line is that of the envelope of the housing's acceleration."""
     words = dict(
         bearing="6205", lubricant=OIL, models="full", rpm=next(iter(setup.orders)), load=LOAD,
-        axial=THRUST, clearance=play, passes=10, settle=20, record="summary", out=folder,
-        overwrite="yes",
+        axial=THRUST, clearance=play, passes=100, settle=10, record="summary", out=folder,
+        overwrite="yes", integrator="vibration", housing="springs",
     )  # fmt: skip
+    words |= [flaw(setup)]
     variables = [word for name, value in words.items() for word in ("-var", name, str(value))]
     command = ["build/liggghts", "-in", "inputs/in.6208", *variables, "-log", "none"]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     if done.returncode:
         raise SystemExit(done.stdout[-2000:])
-    motion = raceway.open(folder).motion
-    cage = float(motion.cage / motion.inner)
-    return 9 * (1 - cage if setup.line == "BPFI" else cage)
+    run = raceway.open(folder)
+    heard = envelope.of_run(run, "ay", ring="outer")
+    return next(
+        one.order * one.found / one.by_cage
+        for one in spectrum.lines(run, heard)
+        if (one.name, one.harmonic) == (setup.line, 1)
+    )
 
 
 def picture(found, ridges):

@@ -55,7 +55,7 @@ def test_builds(host, tmp_path):
     whole, mark = kept.read_bytes(), b"Raceway\0"
     at = whole.index(mark)
     number = at + len(mark)
-    assert whole.count(mark) == 1 and whole[number : number + 4] == b"\4\0\0\0"
+    assert whole.count(mark) == 1 and whole[number : number + 4] == b"\5\0\0\0"
     deck.write_text(f"{READ}read_restart {kept}\n")
     for content, cause in (
         (whole[:number] + b"\1" + whole[number + 1 :], "has layout 1 and was written by another"),
@@ -64,7 +64,7 @@ def test_builds(host, tmp_path):
         kept.write_bytes(content)
         end = run(deck, host=host)
         assert end.code != 0 and f"pair_style bearing: the restart file {cause}" in end.error, cause
-        assert "this program reads layout 4" in end.error
+        assert "this program reads layout 5" in end.error
     claims = whole[: number + 4] + b"\xff\xff\xff\x7f" + whole[number + 8 :]
     for content in (whole[: number + 8], whole[: number - 2], claims):
         kept.write_bytes(content)

@@ -161,6 +161,22 @@ def test_friction_has_one_circle(physics):
     assert found.friction_w / 1e-7 == pytest.approx(sliding.free_slope(*arguments), rel=1e-6)
 
 
+@pytest.mark.parametrize("along", [-3.0, -0.1, 0.0, 0.02, 0.5, 4.0])
+@pytest.mark.parametrize("across", [-2.0, 0.0, 1e-3, 0.3])
+def test_slip_in_both_directions(physics, along, across):
+    """The law that statics evaluates for sliding along and across rolling at once is that of the
+    contact after a long step. `along` and `across` are in units of s_e."""
+    sizes = slip_arguments(of(physics, "slip_of", turning()))[2:]
+    edge, free = sliding.edge_slip(*sizes), sliding.free_slip(*sizes)
+    speeds = dict(sliding_t=free + along * edge, sliding_w=across * edge)
+    found = of(physics, "slip_of", turning(**speeds))
+    law, limit = laws.slip_both_ways(along, across), FRICTION * found.load
+    assert found.friction_t == pytest.approx(limit * law.along, abs=1e-9 * limit)
+    assert found.friction_w == pytest.approx(limit * law.across, abs=1e-9 * limit)
+    arm = found.a**2 / (2 * sliding.deformed_radius(GROOVE, BALL))
+    assert found.couple_w == pytest.approx(-limit * arm * law.couple, abs=1e-8 * limit * arm)
+
+
 @pytest.mark.parametrize("step", [1e-9, 1e-6, 5e-5, 1e-2])
 def test_spring_in_series(physics, step):
     """Force and couple agree with `sliding.in_series` for a given force at the start of the

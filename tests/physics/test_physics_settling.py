@@ -8,17 +8,19 @@ import pytest
 S = 1e-2  # accuracy required by `settled`
 
 
-def rest(physics, passes, **series):
-    """Return the remaining changes after `passes` ball passes, whose means are `series`. Any means
-    that are not given are 1, or 0 for the pitch."""
+def rest(physics, passes, window=0, **series):
+    """Return the remaining changes after `passes` ball passes, whose means are `series`, or how far
+    means over `window` ball passes wander. Any means that are not given are 1, or 0 for the pitch.
+    """
     given = dict(
         torque=np.ones(passes),
         load=np.ones((passes, 2)),
         cage_speed=np.ones(passes),
         pocket_force=np.ones(passes),
         pitch=np.zeros(passes),
+        cage_orbit=np.ones(passes),
     )
-    return physics.call("settling_rest", passes=passes, **{**given, **series})
+    return physics.call("settling_rest", passes=passes, window=window, **{**given, **series})
 
 
 def of_torque(physics, means):
@@ -120,3 +122,40 @@ def test_pocket_forces_fall(physics):
     force = np.array([100.0, 100.0, 40.0, 20.0])
     assert rest(physics, 4, pocket_force=force).pocket_fall == pytest.approx(0.5)
     assert rest(physics, 4, pocket_force=force[::-1].copy()).pocket_fall == 0.0
+
+
+@pytest.mark.parametrize("passes", [4, 9, 40])
+def test_an_orbit_that_repeats_is_settled(physics, passes):
+    """The orbit of a cage is compared between the last two quarters of all ball passes."""
+    span = passes // 4
+    orbit = np.random.default_rng(passes).uniform(0, 1, passes)
+    change = abs(orbit[-span:].mean() - orbit[-2 * span : -span].mean())
+    assert rest(physics, passes, cage_orbit=orbit).cage_orbit == pytest.approx(change)
+    orbit[-2 * span : -span] = orbit[-span:]
+    assert rest(physics, passes, cage_orbit=orbit).cage_orbit < 1e-15
+
+
+@pytest.mark.parametrize("window", [1, 2, 7])
+@pytest.mark.parametrize("passes", [16, 101])
+def test_wandering_is_the_range_of_means_in_the_last_half(physics, passes, window):
+    means = 1 + 1e-3 * np.random.default_rng(passes).standard_normal(passes).cumsum()
+    half = passes // 2
+    spans = np.convolve(means[-half:], np.ones(window) / window, mode="valid")
+    assert len(spans) > 1
+    for series, name, value in (
+        (dict(torque=means), "torque", means[-1]),
+        (dict(load=np.stack([means, np.ones(passes)], axis=-1)), "load", means[-1]),
+        (dict(cage_speed=means), "cage_speed", means[-1]),
+    ):
+        found = vars(rest(physics, passes, window, **series))
+        assert found.pop("pocket_fall") == found.pop("cage_orbit") == np.inf  # not determined
+        assert found.pop(name) == pytest.approx(np.ptp(spans) / value, rel=1e-9)
+        assert max(found.values()) < 1e-15
+
+
+def test_wandering_of_few_ball_passes(physics):
+    """If the last half is not longer than the window, the means cover all but one ball pass."""
+    means = np.array([5.0, 5.0, 5.0, 5.0, 1.0, 2.0, 4.0, 9.0])
+    for window in (3, 4, 100):
+        assert rest(physics, 8, window, torque=means).torque == pytest.approx((5 - 7 / 3) / 9)
+    assert np.isinf(rest(physics, 3, 1).torque) and np.isfinite(rest(physics, 4, 1).torque)

@@ -20,7 +20,8 @@ NAMED = re.compile(f"_(per_)?({'|'.join(UNITS.split())})$|^rpm(_|$)|{MATRIX}")
 PLAIN = set(
     """passes load_parameter lambda lambda_inner lambda_outer permittivity loaded_balls
     loaded_balls_mean real_time_factor
-    evaluations asperity_share settled_torque settled_load settled_cage_speed cage_slip slip ridge
+    evaluations asperity_share settled_torque settled_load settled_cage_speed settled_cage_orbit
+    cage_slip slip ridge
     static_safety viscosity_ratio life_factor film_factor gyroscopic_friction plates_factor
     metallic_contacts metallic_share samples bearing_voltage_ratio bearing_voltage_ratio_min
     bearing_voltage_ratio_max bearing_voltage_ratio_mean floor_share discharges discharges_per_s

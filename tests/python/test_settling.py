@@ -1,34 +1,35 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settling (settling.h) is computed as the change in the means from one half of the last samples to
-the next."""
+"""The changes that remain after a run are estimated from the means over its ball passes
+(settling_rest.h)."""
 
 import numpy as np
 import pytest
 from raceway.core import library
 
 
-def scene(halves=3, half=40, balls=7, drift=0.0, turn=0.0, seed=1):
-    """Return the samples of `halves` ball passes, with a ripple at the ball pass frequency. From
+def scene(passes=2, samples=40, balls=7, drift=0.0, turn=0.0, seed=1):
+    """Return the samples of `passes` ball passes, with a ripple at the ball pass frequency. From
     each pass to the next, torque and loads grow by `drift`, and the spin axes pitch by `turn`
     (rad)."""
     numbers = np.random.default_rng(seed)
-    n = np.arange(halves * half)
-    growth = (1 + drift) ** (n // half)
-    ripple = 1 + 0.2 * np.cos(2 * np.pi * n / half + 1.0)
-    azimuth = 2 * np.pi * (np.arange(balls) + n[:, None] / half) / balls
-    pitch = 0.3 + turn * (n // half)[:, None] + 0 * azimuth
+    n = np.arange(passes * samples)
+    growth = (1 + drift) ** (n // samples)
+    ripple = 1 + 0.2 * np.cos(2 * np.pi * n / samples + 1.0)
+    azimuth = 2 * np.pi * (np.arange(balls) + n[:, None] / samples) / balls
+    pitch = 0.3 + turn * (n // samples)[:, None] + 0 * azimuth
     load = 100 * ripple[:, None] * (1.5 + np.cos(azimuth))
     radial, axial = np.sin(pitch), np.cos(pitch)
     spin = np.stack([radial * np.cos(azimuth), radial * np.sin(azimuth), axial], axis=-1)
     spin *= numbers.uniform(10, 1000, (len(n), balls, 1))
     place = np.stack([np.cos(azimuth), np.sin(azimuth), 0 * azimuth + 0.1], axis=-1)
     return dict(
-        samples=len(n),
+        passes=passes,
+        samples=samples,
         balls=balls,
-        half=half,
         torque=0.01 * ripple * growth,
         load=1e3 * np.stack([ripple * growth, ripple * growth**0.5], axis=-1),
         cage_speed=30 * ripple * growth**2,
+        cage_orbit=0.5 * ripple * growth,
         ball_load=load,
         place=0.03 * place,
         spin=spin,
@@ -36,19 +37,41 @@ def scene(halves=3, half=40, balls=7, drift=0.0, turn=0.0, seed=1):
 
 
 def test_a_settled_bearing_with_ripple_does_not_change():
-    found = library().call("settling", **scene())
-    assert max(vars(found).values()) < 1e-12
+    for passes in (2, 3, 8):
+        found = library().call("settling", **scene(passes))
+        assert max(vars(found).values()) < 1e-12
 
 
 @pytest.mark.parametrize("drift", [-0.02, 1e-3, 0.3])
-def test_changes_are_those_of_the_last_two_halves(drift):
+def test_the_change_between_two_ball_passes_is_taken_to_remain(drift):
     found = library().call("settling", **scene(drift=drift, turn=0.01))
     assert found.torque == pytest.approx(abs(drift) / (1 + drift), rel=1e-9)
     # the larger of the two changes
     assert found.load == pytest.approx(abs(drift) / (1 + drift), rel=1e-9)
     assert found.cage_speed == pytest.approx(abs(1 - (1 + drift) ** -2), rel=1e-9)
     assert found.spin_axis == pytest.approx(2 * np.sin(0.005), rel=1e-9)
+    assert found.cage_orbit == pytest.approx(0.5 * abs(drift), rel=1e-9)  # not relative
 
 
-def test_one_half_does_not_say():
-    assert np.isinf(library().call("settling", **scene(halves=1)).torque)
+@pytest.mark.parametrize("passes", [4, 7])
+@pytest.mark.parametrize("ratio", [0.5, 0.65])
+def test_a_decay_has_its_rest(passes, ratio):
+    words = scene(passes)
+    excess = 0.1 * ratio ** np.arange(passes)
+    words["torque"] = np.repeat(1 + excess, words["samples"])
+    found = library().call("settling", **words)
+    assert found.torque == pytest.approx(excess[-1] / (1 + excess[-1]), rel=1e-6)
+
+
+@pytest.mark.parametrize("passes", [3, 4])
+def test_a_drift_is_taken_to_continue_for_some_ball_passes(passes):
+    """From two or three steps, a decay to 1/2 or 2/3 is the slowest that can be distinguished."""
+    words = scene(passes)
+    words["torque"] = np.repeat(1 + 1e-3 * np.arange(passes), words["samples"])
+    found = library().call("settling", **words)
+    last = 1 + 1e-3 * (passes - 1)
+    assert found.torque == pytest.approx((passes - 2) * 1e-3 / last, rel=1e-6)
+
+
+def test_one_ball_pass_does_not_say():
+    assert np.isinf(library().call("settling", **scene(passes=1)).torque)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of a one-piece cage in the main deck: its results, its pictures, its parts, and the
-regular motion that squeeze films give it. The results agree with records, closed forms and
+"""Tests of a one-piece cage in the main deck: its results, its pictures, its parts, its whirl, and
+the regular motion that squeeze films give it. The results agree with records, closed forms and
 statics."""
 
 import meshio
@@ -154,6 +154,71 @@ def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
         churning=disc * share_below(1.0, pitch / ball),
     )[part]
     assert (found["bearing_cage_power"][:, 0] / power).min() == pytest.approx(1, rel=1e-2)
+
+
+def film_damping(ball, clearance, oil):
+    """Return the damping constant (N s/m) of the film around a centred ball with the radius `ball`
+    (m) in a spherical pocket: pi/2 eta R L^3/c^3, with the effective width L of pocket_film.h."""
+    band, spheres = (0.7 * ball) ** 3, 16 / np.sqrt(2) * ball**3
+    width = band * spheres / (band + spheres + 0.7 * np.sqrt(band * spheres))
+    return np.pi / 2 * oil * ball * width / clearance**3
+
+
+@pytest.mark.parametrize(
+    "words, passes",
+    [
+        (dict(rpm=6000), 40),
+        (dict(rpm=6000, tolerance=1e-11, cage_tolerance=1e-9), 40),
+        (dict(rpm=3000), 60),
+        (dict(rpm=12000, cage_filled=1), 50),
+        (dict(rpm=6000, cage_mass=0.01), 50),
+        (dict(rpm=6000, cage_play=4.5e-4), 50),
+        (dict(rpm=6000, integrator="verlet", step=4e-7), 40),
+    ],
+    ids=["main", "fine", "slow", "fast", "light", "play", "verlet"],
+)
+def test_a_cage_that_nothing_holds_whirls_as_computed(tmp_path, words, passes):
+    """All balls carry the same load, and the cage is subject only to the films in its pockets. They
+    resist its motion relative to the pockets, which rotate at the speed w, so that its centre z
+    obeys m z'' + C (z' - i w z) = 0, which is unstable at any speed. Its growth and its whirl are
+    those of the unstable root."""
+    scene = dict(load=1, clearance=-10e-6, lubricant="vg46", temperature=70)
+    scene |= dict(models="full", cage="ring", cage_without="friction+shear+churning", **words)
+    succeed("inputs/in.6208", out=tmp_path, settle=0, passes=passes, samples=50, **scene)
+    tables = Run(tmp_path).tables
+    place = tables.record.read(["ring_x", "ring_y", "ring_spin"])
+    z, speed = place["ring_x"][1:, 2] + 1j * place["ring_y"][1:, 2], place["ring_spin"][1:, 2]
+    clearance = float(tables.record.fixed("ring_pocket_play")[2]) / 2
+    small = (np.abs(z) > 1e-3 * clearance) & (np.abs(z) < 0.05 * clearance)
+    assert small.sum() > 150 and np.abs(z[0]) < 1e-3 * clearance
+    time = tables.settings["sample_s"] * np.flatnonzero(small)
+    log = np.log(np.abs(z)) + 1j * np.unwrap(np.angle(z))
+    found = np.polyfit(time, log[small].real, 1)[0] + 1j * np.polyfit(time, log[small].imag, 1)[0]
+    mass = words.get("cage_mass", 4060 * (2 * BALL) ** 2 * 60.6e-3)
+    oil = words.get("cage_filled", 0.3) * tables.settings["viscosity_Pa_s"]
+    C, w = 9 * film_damping(BALL, clearance, oil), speed[small].mean()
+    root = (np.sqrt(C**2 + 4j * mass * w * C) - C) / (2 * mass)
+    assert abs(found - root) < 0.02 * abs(root)
+
+
+@pytest.mark.parametrize(
+    "load, clearance, settle, grows",
+    [(1, -1e-5, 52, True), (1, -1e-5, 10, False), (5000, 1e-5, 52, False)],
+)
+def test_a_whirl_that_grows_is_reported(tmp_path, load, clearance, settle, grows):
+    """In a preloaded bearing, the whirl begins at a tiny amplitude and reaches the pockets after
+    some 60 ball passes. In a bearing with clearance, a radial load holds the cage, whose orbit
+    repeats."""
+    scene = dict(load=load, clearance=clearance, rpm=6000, lubricant="vg46", temperature=70)
+    scene |= dict(models="full", cage="ring")
+    if load == 1:
+        scene["cage_without"] = "friction+shear+churning"
+    done = succeed("inputs/in.6208", out=tmp_path, settle=settle, passes=4, **scene)
+    assert ("The orbit of the cage has not settled: it changes by" in done.text) == grows
+    run = Run(tmp_path)
+    assert (run.settings["rest_cage_orbit"] > 0.1) == grows
+    if load == 1:
+        assert (run.summary()["settled_cage_orbit"] > 0.03) == grows
 
 
 @pytest.mark.parametrize("rpm", [47.75, 477.5, 9549])

@@ -96,7 +96,13 @@ def test_a_run_whose_ring_is_held_along_its_axis(tmp_path):
 
 @pytest.mark.parametrize(
     ("name", "load", "axial", "rpm"),
-    [("6208", 4304, 4087, 376), ("6210", 1671, 1067, 2800), ("7205B", 0.1, 300, 8000)],
+    [
+        ("6208", 4304, 4087, 376),
+        ("6210", 1671, 1067, 2800),
+        ("7205B", 0.1, 300, 8000),
+        ("7205B", 870, 1740, 1500),
+        ("7208B", 1065, 2130, 1000),
+    ],
 )
 def test_torque(tmp_path, name, load, axial, rpm):
     """The friction torque of settled runs with the models `full` agrees within 1 %. This includes

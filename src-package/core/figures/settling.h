@@ -20,6 +20,8 @@ struct SettlingSample {
   double load[2] = {};          // N, largest loads on the inner and the outer raceway
   double cage_speed = 0.0;      // rad/s
   double pocket_force = 0.0;    // N, largest force of a ball on its pocket in a one-piece cage
+  double cage_orbit = 0.0;      // distance of a one-piece cage from the bearing's axis, as a
+                                // fraction of half the play of its pockets
   // sums over the balls of the load, and of the load times the unit vector of the spin axis in the
   // radial, tangential and axial directions at the ball
   double weight = 0.0, axis[3] = {};
@@ -41,19 +43,39 @@ struct SettlingSample {
     axis[1] += share * dot(spin, cross(bearing_axis, u));
     axis[2] += share * dot(spin, bearing_axis);
   }
+
+  // Adds s times the values of another sample.
+  void add(const SettlingSample &of, double s = 1.0)
+  {
+    torque += s * of.torque;
+    for (int k = 0; k < 2; ++k) load[k] += s * of.load[k];
+    cage_speed += s * of.cage_speed;
+    pocket_force += s * of.pocket_force;
+    cage_orbit += s * of.cage_orbit;
+    weight += s * of.weight;
+    for (int k = 0; k < 3; ++k) axis[k] += s * of.axis[k];
+  }
+  SettlingSample times(double s) const
+  {
+    SettlingSample scaled;
+    scaled.add(*this, s);
+    return scaled;
+  }
 };
 
 // Relative changes. The change in load is the larger of the changes on the two raceways. The change
 // in spin axis is an angle (rad). Pocket forces are impacts, which scatter, so only a decrease
-// counts; if they increase, the change is 0.
+// counts; if they increase, the change is 0. The change in the orbit of a cage is not relative,
+// because the orbit may be 0.
 struct SettlingChanges {
   double torque = HUGE_VAL, load = HUGE_VAL, cage_speed = HUGE_VAL, spin_axis = HUGE_VAL,
-         pocket_fall = HUGE_VAL;
+         pocket_fall = HUGE_VAL, cage_orbit = HUGE_VAL;
 
   bool within(const SettlingChanges &limits) const    // false for NaN
   {
     return torque <= limits.torque && load <= limits.load && cage_speed <= limits.cage_speed &&
-           spin_axis <= limits.spin_axis && pocket_fall <= limits.pocket_fall;
+           spin_axis <= limits.spin_axis && pocket_fall <= limits.pocket_fall &&
+           cage_orbit <= limits.cage_orbit;
   }
 };
 
@@ -70,12 +92,7 @@ class Settling {
       now_ = Half();
     }
     now_.count += 1.0;
-    now_.torque += s.torque;
-    for (int k = 0; k < 2; ++k) now_.load[k] += s.load[k];
-    now_.cage_speed += s.cage_speed;
-    now_.pocket_force += s.pocket_force;
-    now_.weight += s.weight;
-    for (int k = 0; k < 3; ++k) now_.axis[k] += s.axis[k];
+    now_.sum.add(s);
   }
 
   // Returns true at the end of every half except the first.
@@ -86,21 +103,24 @@ class Settling {
   SettlingChanges changes() const
   {
     if (!known()) return {};
+    const SettlingSample &before = before_.sum, &now = now_.sum;
     double turned = 0.0;
     for (int k = 0; k < 3; ++k) {
-      const double a = share(before_.axis[k], before_.weight), b = share(now_.axis[k], now_.weight);
+      const double a = share(before.axis[k], before.weight), b = share(now.axis[k], now.weight);
       turned += (b - a) * (b - a);
     }
-    return {change(before_.torque, now_.torque),
-            std::max(change(before_.load[0], now_.load[0]), change(before_.load[1], now_.load[1])),
-            change(before_.cage_speed, now_.cage_speed), std::sqrt(turned),
-            share(std::max(before_.pocket_force - now_.pocket_force, 0.0), before_.pocket_force)};
+    return {change(before.torque, now.torque),
+            std::max(change(before.load[0], now.load[0]), change(before.load[1], now.load[1])),
+            change(before.cage_speed, now.cage_speed),
+            std::sqrt(turned),
+            share(std::max(before.pocket_force - now.pocket_force, 0.0), before.pocket_force),
+            std::fabs(now.cage_orbit - before.cage_orbit) / wanted_};
   }
 
  private:
   struct Half {
-    double count = 0.0, torque = 0.0, load[2] = {}, cage_speed = 0.0, pocket_force = 0.0,
-           weight = 0.0, axis[3] = {};
+    double count = 0.0;
+    SettlingSample sum;
   };
   static double change(double before, double now)
   {

@@ -16,10 +16,23 @@
 
 namespace bearing {
 
+// Largest ratio of two steps that are one ball pass apart. A mode that decays more slowly cannot be
+// distinguished from a constant drift.
+constexpr double slowest_decay = 0.98;
+
 // Returns the rests of the torque, the loads and the cage speed (as relative changes) and of the
-// spin axis (rad), and the decrease in the pocket forces over the longest span. They are infinite
-// if there are fewer than two ball passes.
-SettlingChanges settling_rest(const std::vector<SettlingSample> &passes);
+// spin axis (rad), and the changes between the last two of the longest spans for the pocket
+// forces (their decrease) and for the orbit of the cage (as a fraction of half the play). They
+// are infinite if there are fewer than two ball passes.
+SettlingChanges settling_rest(const std::vector<SettlingSample> &passes,
+                              double slowest = slowest_decay);
+
+// Returns how far results wander in the last half of the ball passes: the largest difference
+// between two means over `window` successive ball passes, relative to the last ball pass. They are
+// not determined for the cage. A result that depends on a slow periodic motion wanders although it
+// has settled. If the half is not longer than `window`, the means cover all but one of its ball
+// passes. The values are infinite if there are fewer than four ball passes.
+SettlingChanges settling_wander(const std::vector<SettlingSample> &passes, size_t window);
 
 }    // namespace bearing
 

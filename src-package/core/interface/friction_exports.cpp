@@ -103,6 +103,17 @@ FORMULA(SlipLaw, differential_slip, (double off))
   return {root, slip_secant(off), slip_force(off), slip_couple(root)};
 }
 
+// Returns the forces divided by mu Q, and the couple divided by mu Q a^2/(2 R_d), for sliding in
+// both directions. `along` is relative to free rolling; both are divided by s_e.
+RECORD(SlipOfBoth, double along, across, couple;)
+FORMULA(SlipOfBoth, slip_both_ways, (double along, double across))
+{
+  const SlipBothWays<double> law = slip_both_ways(along, across, 1.0);
+  const double f = along / law.speed_along, g = across / law.speed_across, size2 = f * f + g * g;
+  const double share = size2 > 1.0 ? 1.0 / std::sqrt(size2) : 1.0;
+  return {f * share, g * share, slip_couple(force_root(f * share * law.sharing))};
+}
+
 // Returns t0 for a force divided by mu Q.
 FORMULA(double, slip_root_of_force, (double force)) { return force_root(force); }
 

@@ -74,6 +74,23 @@ template <class T> RACEWAY_INLINE T force_root(const T &force)
   return 1.0 - (x + e);
 }
 
+// Coulomb's law for sliding in both directions at once: mu Q divided by the secants of the law,
+// which are speeds (m/s), and the factor by which the force along rolling has to be multiplied to
+// give the force without sliding across, on which the couple depends. `along` is the slip relative
+// to free rolling and `across` the slip across the groove, both in units of the width s_e.
+template <class T> struct SlipBothWays {
+  T sharing, speed_along, speed_across;
+};
+template <class T>
+RACEWAY_INLINE SlipBothWays<T> slip_both_ways(const T &along, const T &across, const T &width)
+{
+  const T alone = slip_secant(along), cross = alone * across;
+  const T sharing = square_root(T(1.0 + cross * cross));
+  return {
+      sharing, T(width * sharing / alone),
+      T(width * square_root(T(along * along + across * across + 1.0 / (free_lean * free_lean))))};
+}
+
 // Returns C/(mu Q a^2/(2 R_d)).
 template <class T> RACEWAY_INLINE T slip_couple(const T &t)
 {

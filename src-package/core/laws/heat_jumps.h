@@ -30,6 +30,7 @@ struct HeatControl {
   double hottest = 200.0;    // C, the run ends if any temperature exceeds this limit
   double share = 0.2;        // longest jump as a fraction of the slowest time constant
   bool both_ends = true;     // false: use only the losses at the start of a jump
+  double length = 0.0;       // s, length of the next jump; 0: as long as the limits above permit
 };
 
 enum class HeatEnd { none = 0, reached = 1, steady = 2, seizes = 3, hot = 4 };
@@ -149,7 +150,7 @@ inline void heat_jump(HeatState &s, const HeatPass &seen, HeatNetwork net, const
   change = std::max(change, 0.1 * c.change);
   double most = c.share * flow.slowest();
   if (c.until > 0.0) most = std::min(most, c.until - s.time);
-  s.length = flow.time_of_change(s.at, change, most);
+  s.length = c.length > 0.0 ? c.length : flow.time_of_change(s.at, change, most);
   // the temperatures of parts with a small heat capacity follow the losses at the end of the jump,
   // so these losses are predicted from the slope
   flow.advance(s.at, s.length, s.law);

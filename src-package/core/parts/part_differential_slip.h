@@ -49,13 +49,7 @@ struct DifferentialSlipPart : PartBase {
     const T along = c.sliding_t - turn * curve * free_part;
     const B off_t = held(along) * forward / width, off_w = held(c.sliding_w) / width;
 
-    // secants for sliding in both directions, which share the same friction limit
-    const B alone = slip_secant(off_t), cross = alone * off_w;
-    const B sharing = square_root(B(1.0 + cross * cross));
-    // mu N divided by the secants, m/s, which is needed before mu N is known
-    const B speed_t = width * sharing / alone;
-    const B speed_w =
-        width * square_root(B(off_t * off_t + off_w * off_w + 1.0 / (free_lean * free_lean)));
+    const auto [sharing, speed_t, speed_w] = slip_both_ways(off_t, off_w, width);
     const T cap = c.mu * c.normal, some = cap + none;
     const T ct = some * B(1.0 / speed_t), cw = some * B(1.0 / speed_w);
 

@@ -10,9 +10,10 @@ from raceway.commands.quantity import takes_negative
 DESCRIPTION = """\
 Repeats a run of the main deck three times: with a tenth of the tolerance (velocity Verlet: half the
 time step), with twice as many samples, and with 100 additional ball passes of settling. The change
-of a result in each repeat is taken as its error. The repeats are written to DIR/check and the
-errors to DIR/check.json. `raceway summary DIR` then shows the sum of the errors next to each
-result.
+of a result in each repeat is taken as its error. Torque and cage speed may wander in a run that has
+settled, for example because the cage whirls; their largest change in the last half of the longer
+settling is a fourth error. The repeats are written to DIR/check and the errors to DIR/check.json.
+`raceway summary DIR` then shows the sum of the errors next to each result.
 
 This is the numerical error, not the error of the model."""
 EXAMPLES = """\

@@ -71,7 +71,7 @@ class Model:
         scene, rest = solved[key]
         idle, angle = int((rest.state.inner.load <= 0).sum()), _contact_angle(rest.state)
         if reading.quantity == "temperature":
-            lost = scene.figures(rest, state["clearance"])["power_loss_W"]
+            lost = scene.figures(rest)["power_loss_W"]
             steady = self.readings.ambient + lost / state["conductance"]
             return Predicted(steady, 0.0, NO_LAG, idle, angle)
         if reading.quantity == "capacitance":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settling of a run, measured by the change of its means from one ball pass to the next."""
+"""Settling of a run: the changes that remain after its last ball pass."""
 
 import math
 
@@ -8,6 +8,7 @@ import numpy as np
 from raceway.core import library
 from raceway.errors import RunError
 from raceway.runs.columns import LOSSES
+from raceway.runs.record import CAGE_RING
 from raceway.runs.tables import RunTables
 from raceway.runs.turning import changes
 
@@ -17,16 +18,20 @@ KEYS = {
     "cage_speed": "settled_cage_speed",
     "spin_axis": "settled_spin_axis_rad",
 }
+ORBIT = "settled_cage_orbit"  # only for a run with a one-piece cage
+MOST = 20  # ball passes that are compared, at most
 
 
 def settling(tables: RunTables) -> dict[str, float | None]:
-    """Return the changes between the last two ball passes of the window, or between its two halves
-    if the window has fewer than two passes.
+    """Return the changes that remain after the last ball pass of the window, estimated from the
+    means over its ball passes, or over its two halves if it has fewer than two passes.
 
     They are the relative changes of the mean friction torque, of the largest load on either raceway
-    and of the cage speed, and `settled_spin_axis_rad`, the angle between the load-weighted mean
-    spin axes of the balls. A change is None if the run has not recorded the quantity, or if the
-    speed of the rings changes. The formulas are in `src-package/core/figures/settling.h`.
+    and of the cage speed, `settled_spin_axis_rad`, the angle by which the load-weighted mean spin
+    axis of the balls still turns, and, with a one-piece cage, `settled_cage_orbit`, the latest
+    change of its mean distance from the axis as a fraction of half the play. A change is None if
+    the run has not recorded the quantity, or if the speed of the rings changes. The formulas are in
+    `src-package/core/figures/settling_rest.h`.
     """
     result: dict[str, float | None] = dict.fromkeys(KEYS.values())
     first, last = max(tables.first, 1), tables.last
@@ -34,21 +39,23 @@ def settling(tables: RunTables) -> dict[str, float | None]:
     speed = turning.shaft_speed(first, last) if last > first else np.zeros(0)
     if len(speed) < 2 or changes(speed):
         return result
-    half = _half(tables, first, last)
-    first = last - 2 * half
+    samples = _samples(tables, first, last)
+    passes = min(MOST, (last - first) // samples)
+    first = last - passes * samples
     totals = tables.totals.loc[first : last - 1]
     losses = [totals[name] for name in LOSSES.values() if name in totals]
     # The cage speed is recorded once per step.
     power = sum(losses).ffill().bfill() if losses else None
-    balls = _balls(tables, first, last)
+    balls, orbit = _balls(tables, first, last), _orbit(tables, first, last)
     found = library().call(
         "settling",
-        samples=2 * half,
+        passes=passes,
+        samples=samples,
         balls=balls["load"].shape[1],
-        half=half,
-        torque=power.to_numpy() if losses else np.full(2 * half, math.nan),
+        torque=power.to_numpy() if losses else np.full(passes * samples, math.nan),
         load=totals[["load_inner", "load_outer"]].to_numpy(),
         cage_speed=totals["cage_speed"].to_numpy(),
+        cage_orbit=orbit if orbit.size else np.zeros(passes * samples),
         ball_load=balls["load"],
         place=balls["place"],
         spin=balls["spin"],
@@ -58,10 +65,12 @@ def settling(tables: RunTables) -> dict[str, float | None]:
         result[key] = float(value) if math.isfinite(value) else None
     if not balls["load"].size:
         result["settled_spin_axis_rad"] = None
+    if orbit.size:
+        result[ORBIT] = float(found.cage_orbit)
     return result
 
 
-def _half(tables, first, last):
+def _samples(tables, first, last):
     """Return the number of samples in a ball pass, at most half of the window."""
     most = (last - first) // 2
     passes = tables.turning.passes([first, last - 1])
@@ -69,6 +78,20 @@ def _half(tables, first, last):
     if not a_sample:
         return most
     return max(1, min(most, round(1 / a_sample)))
+
+
+def _orbit(tables, first, last):
+    """Return the distance of a one-piece cage from the axis for each sample, as a fraction of half
+    the play; the array is empty if there is no such cage or if it has no play."""
+    record = tables.record
+    side = record.fixed("ring_raceway").tolist()
+    if CAGE_RING not in side or "ring_pocket_play" not in record.variables:
+        return np.zeros(0)
+    cage = side.index(CAGE_RING)
+    if not (play := float(record.fixed("ring_pocket_play")[cage])) > 0:
+        return np.zeros(0)
+    place = record.read(["ring_x", "ring_y"], first, last)
+    return np.hypot(place["ring_x"][:, cage], place["ring_y"][:, cage]) / (play / 2)
 
 
 def _balls(tables, first, last):

@@ -25,7 +25,7 @@ from raceway.runs.model_range import Range, model_ranges
 from raceway.runs.rating import ROWS as RATING
 from raceway.runs.rating import rating
 from raceway.runs.settings import LUBRICANT
-from raceway.runs.settling import settling
+from raceway.runs.settling import ORBIT, settling
 from raceway.runs.tables import RunTables
 from raceway.sweeps import variable_table
 from raceway.theory import models
@@ -110,11 +110,12 @@ TOPICS = {
         ),
     ),
     "Temperatures": warming.ROWS,
-    "Settling, change from one ball pass to the next": (
-        Row("settled_torque", "friction torque", "", "last two, relative"),
+    "Settling, estimated change in all further ball passes": (
+        Row("settled_torque", "friction torque", "", "relative"),
         Row("settled_load", "largest loads", "", "larger value of both raceways"),
         Row("settled_cage_speed", "cage speed", ""),
         Row("settled_spin_axis_rad", "spin axis of the balls", "rad", "load-weighted mean"),
+        Row(ORBIT, "orbit of the cage", "", "latest change, relative to half the play"),
         Row("orbit", "periodic orbit", None, "settle orbit"),
         Row("orbit_stability", "  stability", None),
         Row("orbit_multiplier", "  left of a disturbance", "", "largest Floquet multiplier"),
@@ -140,7 +141,7 @@ STILL = dict.fromkeys(("shift_z_m", "tilt_x_rad", "tilt_y_rad"), 1e-9)  # m, rad
 STEADY = 1e-3  # fraction of the speed by which a steady speed may vary
 LOOKS = 1000  # number of samples checked for contact patches that extend beyond the shoulder
 # of a run with `settle orbit`
-ORBIT = tuple(
+PERIODIC = tuple(
     f"orbit{name}"
     for name in (
         *("", "_passes", "_stability", "_multiplier", "_multiplier_error", "_multiplier_limit"),
@@ -209,7 +210,7 @@ def summary(tables: RunTables) -> dict[str, Any]:
     if assumed := str(settings.get("assumed_data") or ""):
         pairs = (word.split("=", 1) for word in assumed.split(","))
         result["assumed_data"] = {name: float(value) for name, value in pairs}
-    result |= {key: settings[key] for key in ORBIT if key in settings}
+    result |= {key: settings[key] for key in PERIODIC if key in settings}
     if flaws := by_part(settings):
         result["flaws"] = flaws
     if errors := numerical_errors(tables):
@@ -439,7 +440,7 @@ def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
     losses = figures["losses_W"] or dict.fromkeys(LOSSES)
     flaws = figures.get("flaws", {})
     return {
-        **dict.fromkeys((*CageFigures._fields, *ORBIT)),
+        **dict.fromkeys((*CageFigures._fields, ORBIT, *PERIODIC)),
         **dict.fromkeys(row.key for row in warming.ROWS),
         **result,
         **{key: why for key, why in figures["absent"].items() if key in models.HEADLINES},

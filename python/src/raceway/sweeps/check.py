@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Estimate the numerical error of a run by repeating it with finer integration, with more samples,
-and with longer settling.
+and with longer settling, during which the results may wander.
 
 The repeats are handled like the points of a sweep, in the folder `check` of the run; they can be
 stopped and resumed. `check.json` contains the results.
@@ -17,7 +17,7 @@ from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.runs.flaws import by_ball, by_raceway
 from raceway.runs.settings import deck_words
-from raceway.runs.settling import KEYS
+from raceway.runs.settling import KEYS, ORBIT
 from raceway.runs.summary import CHECK, identity, summary
 from raceway.runs.tables import RunTables
 from raceway.sweeps.point_run import FAILED, FINISHED, run_point
@@ -35,7 +35,15 @@ LEFT_OUT = (
     *("load_N", "rpm", "clearance_m", "viscosity_Pa_s", "pressure_viscosity_per_Pa"),
     *("permittivity", "roughness_m"),
     *KEYS.values(),
+    ORBIT,
 )
+# results that may wander although the run has settled, with the setting that says how far they do,
+# relative to their value
+WANDERING = {
+    "friction_torque_N_m": "wander_torque",
+    "power_loss_W": "wander_torque",
+    "cage_speed_rad_s": "wander_cage_speed",
+}
 # settings that must be the same in a repeat; if they differ, the run did not record some -var value
 SAME = (
     *("load_N", "rpm", "load_azimuth_rad", "axial_N", "moment_x_N_m", "moment_y_N_m"),
@@ -108,8 +116,10 @@ def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> 
     The errors are returned as {key: {"integration": error, "sampling": error, "settling": error}}
     and also written to `check.json` in `folder`. `command` is a list of program, options and deck.
     `more` contains variables of the run in addition to those that it recorded. An error is the
-    difference of a result between the run and its repeat. Raise `RacewayError` if a repeat fails or
-    if its settings differ from those of the run.
+    difference of a result between the run and its repeat. For the results in `WANDERING`, there is
+    also the error "wandering", the largest difference between two means over as many ball passes as
+    the run measures, in the last half of the longer settling. Raise `RacewayError` if a repeat
+    fails or if its settings differ from those of the run.
     """
     tables = RunTables(folder)
     variables(tables)  # raises an error for a run without variables, which cannot be repeated
@@ -132,6 +142,8 @@ def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> 
             if key in LEFT_OUT or not _number(value) or not _number(figures.get(key)):
                 continue
             errors.setdefault(key, {})[name] = abs(value - figures[key])
+            if name == "settling" and (wander := again.settings.get(WANDERING.get(key, ""))):
+                errors[key]["wandering"] = wander * abs(value)
     result = {"run": identity(tables), "errors": errors}
     files.text(Path(folder) / CHECK, json.dumps(result, indent=2, allow_nan=False))
     return errors

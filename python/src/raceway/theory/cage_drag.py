@@ -7,6 +7,9 @@ included."""
 import math
 from typing import NamedTuple
 
+import numpy as np
+
+from raceway.arrays import Numbers
 from raceway.core import laws
 from raceway.sweeps import variable_table
 from raceway.theory import kinematics
@@ -27,6 +30,34 @@ class CageRing(NamedTuple):
     without: frozenset[str] = frozenset()  # losses to leave out: shear, land, churning
 
 
+class Resistance(NamedTuple):
+    """What the oil at the cage of one row resists."""
+
+    # N m s, couple of one pocket divided by the ball's rotation relative to the cage; twice this
+    # for the rotation about the axis of the pocket
+    shear: float
+    land: float  # N m s, couple at the lands divided by the speed relative to the guiding ring
+    churning: Numbers  # N m, couple that opposes the rotation of the cage
+
+
+def resistance(
+    bearing: Bearing, cage: CageRing, fluid: Fluid, share: float, orbit: Numbers
+) -> Resistance:
+    """Return the `Resistance` of a cage that turns at `orbit` rad/s; `share` is the volume fraction
+    of oil around the balls. A cage that is guided by a land is assumed to be centred."""
+    oil, radius = fluid.viscosity, bearing.ball_radius
+    shear = land = churning = 0.0
+    if "shear" not in cage.without:
+        play = cage.play or float(laws.usual_play()) * bearing.ball_diameter
+        shear = float(laws.pocket_shear(oil, radius, play, cage.filled))
+    if cage.land is not None and "land" not in cage.without:
+        land = float(laws.land_couple(oil, *cage.land, cage.filled))
+    if "churning" not in cage.without:
+        about = share, fluid.density, oil, bearing.pitch_radius, radius
+        churning = np.sign(orbit) * laws.cage_churning(*about, np.abs(orbit))
+    return Resistance(shear, land, churning)
+
+
 def power(
     bearing: Bearing,
     cage: CageRing,
@@ -41,21 +72,17 @@ def power(
     the mean contact angle in rad.
 
     In its pocket, a ball turns about the bearing's axis, tilted by the contact angle. The oil
-    resists rotation about the axis of the pocket twice as strongly. A cage that is guided by a land
-    is assumed to be centred.
+    resists rotation about the axis of the pocket twice as strongly.
     """
-    oil, radius = fluid.viscosity, bearing.ball_radius
-    lost = 0.0
-    if "shear" not in cage.without:
-        play = cage.play or float(laws.usual_play()) * bearing.ball_diameter
-        couple = laws.pocket_shear(oil, radius, play, cage.filled)
-        spin = kinematics.frequencies(bearing, angle, ring).spin
-        lost += len(bearing.row) * couple * spin**2 * (1 + math.sin(angle) ** 2)
-    rows = len(bearing.layout.rows)
-    if cage.land is not None and "land" not in cage.without:
-        slide = orbit - ring if cage.inner else orbit
-        lost += rows * laws.land_couple(oil, *cage.land, cage.filled) * slide**2
-    if "churning" not in cage.without:
-        about = share, fluid.density, oil, bearing.pitch_radius, radius
-        lost += rows * laws.cage_churning(*about, abs(orbit)) * abs(orbit)
-    return float(lost)
+    found = resistance(bearing, cage, fluid, share, orbit)
+    spin = kinematics.frequencies(bearing, angle, ring).spin
+    lost = len(bearing.row) * found.shear * spin**2 * (1 + math.sin(angle) ** 2)
+    slide = orbit - guide(cage, ring)
+    of_row = found.land * slide**2 + found.churning * orbit
+    return float(lost + len(bearing.layout.rows) * of_row)
+
+
+def guide(cage: CageRing, ring: float) -> float:
+    """Return the speed in rad/s of the ring at whose lands the cage slides, if the inner ring turns
+    at `ring` rad/s."""
+    return ring if cage.inner else 0.0

@@ -261,6 +261,48 @@ def surfaces(
     )
 
 
+def coefficient(
+    surfaces: Surfaces, fluid: Fluid, share: Floats, pressure: Floats, slid: Floats, h_c: Floats
+) -> Floats:
+    """Return the friction coefficient mu of contacts whose asperities carry the fraction `share` of
+    the load. Films of thickness h_c (m) are sheared at the sliding speed `slid` in m/s, under the
+    largest `pressure` in Pa."""
+    smooth = surfaces.film
+    if smooth is None:
+        smooth = traction.coefficient(
+            fluid.viscosity,
+            fluid.pressure_viscosity,
+            pressure,
+            slid / h_c,
+            fluid.eyring_stress,
+            fluid.limiting_traction,
+        )
+    return traction.mixed(share, surfaces.boundary, smooth)
+
+
+def rolling_force(
+    bearing: Bearing,
+    fluid: Fluid,
+    surfaces: Surfaces,
+    r_x: Floats,
+    r_y: Floats,
+    h_c: Floats,
+    b: Floats,
+    load: Floats,
+    speed: Floats,
+) -> Floats:
+    """Return the force 2 f in N that resists rolling at the entrainment `speed` in m/s, which is
+    reduced by inlet shear heating, starvation and a short inlet. The effective radii, the film h_c
+    and the semi-axis b are in m, and the load is in N."""
+    loading = film_factors.thermal_loading(
+        fluid.temperature_viscosity, fluid.viscosity, speed, fluid.conductivity
+    )
+    inlet = rolling.inlet(surfaces.inlet, h_c, b, r_x) if len(b) else 1.0
+    factor = film_factors.murch_wilson(loading) * surfaces.starvation * inlet
+    oil, modulus = fluid.viscosity, bearing.effective_modulus
+    return 2 * factor * rolling.hydrodynamic(oil, modulus, r_x, r_y, speed, load)
+
+
 def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
     """Return (rolling, slip, hysteresis, L_a, mu) of the contacts in a groove, an array (5, Z)."""
     live = contact.load > 0
@@ -270,28 +312,12 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
     r_x, r_y = bearing.effective_radii(side, contact.angle[live], clearance)
     r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
 
-    inlet = rolling.inlet(surfaces.inlet, h_c, b, r_x) if len(b) else 1.0
-
     def resistance(speed):
-        loading = film_factors.thermal_loading(
-            fluid.temperature_viscosity, fluid.viscosity, speed, fluid.conductivity
-        )
-        factor = film_factors.murch_wilson(loading) * surfaces.starvation * inlet
-        oil, modulus = fluid.viscosity, bearing.effective_modulus
-        return 2 * factor * rolling.hydrodynamic(oil, modulus, r_x, r_y, speed, load)
+        return rolling_force(bearing, fluid, surfaces, r_x, r_y, h_c, b, load, speed)
 
     share = asperity.clarke(film.ratio[live])
-    smooth = surfaces.film
-    if smooth is None:
-        smooth = traction.coefficient(
-            fluid.viscosity,
-            fluid.pressure_viscosity,
-            1.5 * load / (np.pi * a * b),
-            sliding.FREE_SPEED * sliding.edge_slip(speed, a, r_d, r_x) / h_c,
-            fluid.eyring_stress,
-            fluid.limiting_traction,
-        )
-    friction = traction.mixed(share, surfaces.boundary, smooth)
+    slid = sliding.FREE_SPEED * sliding.edge_slip(speed, a, r_d, r_x)
+    friction = coefficient(surfaces, fluid, share, 1.5 * load / (np.pi * a * b), slid, h_c)
     rolled = resistance(speed) * turns
     slid = sliding.free_power(load, friction, speed, a, r_d, r_x)
     part = np.ones(load.shape)  # rotation of the ball as a fraction of its rotation in pure rolling

@@ -18,7 +18,7 @@ import numpy as np
 from raceway import inputs
 from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
-from raceway.theory import cage_drag, friction_torque, heat, makers
+from raceway.theory import cage_drag, friction_torque, heat, makers, thrust_motion
 from raceway.theory.bearing import INNER, Bearing
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubricant import Fluid, Lubricant
@@ -26,6 +26,7 @@ from raceway.theory.lubrication import Lubrication, lubricate, turning
 from raceway.theory.models import DEFAULT
 from raceway.theory.oil_supply import BATH, Supply
 from raceway.theory.static import STRAIGHT, Equilibrium
+from raceway.theory.thrust_motion import Motion
 
 ENOUGH = 0.01  # K, tolerance of the temperature
 
@@ -57,6 +58,9 @@ class Rest(NamedTuple):
     orbit: float | Floats  # rad/s, orbital speed of the balls
     films: Lubrication
     fluid: Fluid
+    clearance: float  # m
+    surfaces: friction_torque.Surfaces
+    motion: Motion | None  # of the balls under pure thrust
 
 
 class Scene:
@@ -92,7 +96,9 @@ class Scene:
         self.size, self.supply, self.cage = size, supply, cage
         self.oil_flow = oil_flow
         self.share = 1.0  # factor on the computed friction, set by `by_runs`
-        self.near: Equilibrium | None = None  # the last equilibrium, where the next search begins
+        # the last equilibrium and the last motion under thrust, where the next search begins
+        self.near: Equilibrium | None = None
+        self.near_motion: Motion | None = None
 
     def rest(self, temperature: float, clearance: float) -> Rest:
         """Compute the equilibrium and the films for oil at a temperature in degrees C and for a
@@ -114,31 +120,48 @@ class Scene:
         oil = inputs.Oil(
             fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, self.roughness
         )
+        surfaces = friction_torque.surfaces(
+            self.bearing, self.size, fluid, ring, self.models, self.supply
+        )
+        if film and "z" not in self.held and thrust_motion.applies(self.bearing, state):
+            motion = self.near_motion = thrust_motion.find(
+                self.bearing,
+                state,
+                oil,
+                fluid,
+                film,
+                surfaces,
+                near=self.near_motion,
+                clearance=clearance,
+                density=self.density,
+                spin_law=self.spin_law,
+                cage=self.cage,
+            )
+            moved = motion.state, motion.orbit, motion.films
+            return Rest(*moved, fluid, clearance, surfaces, motion)
         films = lubricate(self.bearing, state, oil, ring, clearance, film and film.factor)
-        return Rest(state, orbit, films, fluid)
+        return Rest(state, orbit, films, fluid, clearance, surfaces, None)
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
         """Return the results of the scene at a temperature in degrees C and a clearance in m.
         `sides` is the power in W at the inner and the outer raceway, each including half of the
         drag; `cage` is the power dissipated at the cage, `drag` the power dissipated by drag, and
         `flow` the `heat.OilFlow`."""
-        return self.figures(self.rest(temperature, clearance), clearance)
+        return self.figures(self.rest(temperature, clearance))
 
-    def figures(self, rest: Rest, clearance: float) -> dict[str, Any]:
+    def figures(self, rest: Rest) -> dict[str, Any]:
         """Return the same results as `at`, computed from a given `rest`."""
-        state, orbit, films, fluid = rest
-        ring = self.ring
-        losses = friction_torque.losses(
+        state, orbit, films, fluid, ring = *rest[:4], self.ring
+        losses = rest.motion and rest.motion.losses
+        losses = losses or friction_torque.losses(
             self.bearing,
             state,
             films,
             fluid,
             ring,
             orbit,
-            clearance=clearance,
-            surfaces=friction_torque.surfaces(
-                self.bearing, self.size, fluid, ring, self.models, self.supply
-            ),
+            clearance=rest.clearance,
+            surfaces=rest.surfaces,
             spin_law=self.spin_law,
             ball_density=self.density,
             cage=self.cage,

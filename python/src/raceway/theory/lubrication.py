@@ -55,11 +55,13 @@ def lubricate(
     speed: float,
     clearance: float = 0.0,
     factor: Callable[[Floats], Floats] | None = None,
+    speeds: tuple[Floats, Floats] | None = None,
 ) -> Lubrication:
     """Compute the `Lubrication` of an `Equilibrium` with the oil `inputs.Oil`, for an inner ring
     that turns at `speed` rad/s. `clearance` in m must be the one used for the equilibrium. `factor`
     computes a factor on the film thickness from the entrainment speed in m/s; by default the factor
-    is 1.
+    is 1. `speeds` are (entrainment, rolling) speeds (C, Z) in m/s if they are known, otherwise
+    those of `ball_motion.speeds`.
 
     >>> from raceway.theory.bearing import Bearing
     >>> from raceway.inputs import Oil
@@ -71,7 +73,7 @@ def lubricate(
     >>> round(1e12 * float(films.total), 1)  # pF
     303.5
     """
-    speeds = np.array(ball_motion.speeds(bearing, speed, state))
+    speeds = np.array(ball_motion.speeds(bearing, speed, state) if speeds is None else speeds)
     inner = bearing.raceways.count(INNER)
     sides = [
         _film(bearing, side, contact, own.reshape(2, *contact.load.shape), oil, clearance, factor)

@@ -25,6 +25,7 @@ from raceway.theory import (
     life,
     makers,
     ring_response,
+    thrust_motion,
     validity,
 )
 from raceway.theory import (
@@ -42,6 +43,9 @@ from raceway.theory.static import FREEDOMS
 __all__ = ("figures", "table")
 
 SUPPORT = ("support_x_N", "support_y_N", "support_z_N", "support_rx_N_m", "support_ry_N_m")
+
+# rotation of a ball about the radial direction, its path and the bearing's axis
+ROTATION = ("ball_radial_rad_s", "ball_along_rad_s", "ball_axial_rad_s")
 
 
 def figures(
@@ -83,7 +87,8 @@ def figures(
     `contacts`. `double_row` gives the bearing two rows, which `balls` lists one after the other.
     `dynamic` is C in N of one row and replaces the value in the file. `supply` is the kind of
     lubrication. `cage` is a cage that is one ring; its losses are included in the friction torque.
-    In the result, `absent` maps each key that the models do not compute to the reason.
+    Under pure thrust, the balls move with friction (`thrust_motion`), and the result includes their
+    rotation. In the result, `absent` maps each key that the models do not compute to the reason.
 
     As in a deck, the ring is held along z if there is no axial load (`inputs.held`).
 
@@ -115,6 +120,26 @@ def figures(
         finite_shift=exact_circle,
         film=film,
     )
+    # the equilibrium without friction, in which balls roll
+    rolling, orbit_of_rolling, motion = state, orbits, None
+    if film is not None:
+        surfaces = friction_torque.surfaces(
+            body, inputs.size(path), _complete(fluid, models), spin, models, supply
+        )
+        if "z" not in held and thrust_motion.applies(body, state):
+            motion = thrust_motion.find(
+                body,
+                state,
+                oil,
+                fluid,
+                film,
+                surfaces,
+                clearance=clearance,
+                density=density,
+                spin_law=spin_law,
+                cage=cage,
+            )
+            state, orbits = motion.state, motion.orbit
     orbit = float(np.mean(orbits))  # averaged over all rows
     result = dict(
         bearing=path.name,
@@ -141,6 +166,8 @@ def figures(
         * body.pitch_radius
         * orbit**2,
     )
+    if motion is not None:
+        result.update(zip(ROTATION, motion.rotation))
     if double_row is not None:
         result.update(zip(("row_spacing_m", "row_preload_m", "arrangement"), double_row))
     result.update(_ring(state, load, axial, moment, held, clearance, body.pitch_radius))
@@ -157,7 +184,8 @@ def figures(
             result.update(_basic_life(body, result, angle))
     films = None
     if wet:
-        films = lubricate(body, state, oil, spin, clearance, film and film.factor)
+        films = motion and motion.films
+        films = films or lubricate(body, state, oil, spin, clearance, film and film.factor)
         top = int(np.argmax(state.inner.load))
         result.update(
             viscosity_Pa_s=oil.viscosity,
@@ -175,15 +203,16 @@ def figures(
     friction = None
     if film is not None:
         boundary = inputs.boundary(path)
-        lost = friction_torque.losses(
+        lost = motion and motion.losses
+        lost = lost or friction_torque.losses(
             body,
             state,
             films,
-            _complete(fluid, models),
+            fluid,
             spin,
             orbits,
             clearance=clearance,
-            surfaces=friction_torque.surfaces(body, inputs.size(path), fluid, spin, models, supply),
+            surfaces=surfaces,
             spin_law=spin_law,
             ball_density=density,
             cage=cage,
@@ -196,13 +225,13 @@ def figures(
             losses_W=lost.parts,
             asperity_share=inner.flat[top],
         )
-        needed = ball_motion.gyroscopic(body, state, spin, orbits, density)
-        needed *= np.atleast_2d(state.inner.heavy).any(0)
+        needed = ball_motion.gyroscopic(body, rolling, spin, orbit_of_rolling, density)
+        needed *= np.atleast_2d(rolling.inner.heavy).any(0)
         result.update(gyroscopic_friction=needed.max() if needed.max() > 1e-9 else None)
         friction = lost.friction
     ahead = None
     if body.layout == Layout():
-        ahead = excursion.excursion(body, state, spin, friction, cage and cage.play or None)
+        ahead = excursion.excursion(body, rolling, spin, friction, cage and cage.play or None)
     if ahead is not None:
         result.update(ball_excursion_m=ahead.whole, pocket_force_N=ahead.force or None)
     result = {key: _plain(value) for key, value in result.items()}
@@ -211,7 +240,7 @@ def figures(
     if "life_reference_Mrev" in result:
         result["warnings"] += _wide(body)
     if film is not None:
-        result["warnings"] += _sliding(state, lost.friction, needed)
+        result["warnings"] += _sliding(rolling, lost.friction, needed, motion is not None)
     if ahead is not None and (text := excursion.warning(ahead)):
         result["warnings"].append(text)
     result["absent"] = model_names.absent(models, result) if wet else {}
@@ -234,14 +263,17 @@ def _wide(body):
     ]
 
 
-def _sliding(state, friction, needed):
+def _sliding(state, friction, needed, included):
+    """Return a list with a warning if friction cannot hold balls against their gyroscopic moment;
+    `included` says whether the state of these balls was solved for."""
     load = np.vstack([state.inner.load, state.outer.load])
     slide = needed > (friction * load).sum(0) / np.maximum(load.sum(0), 1e-300)
     if not slide.any():
         return []
+    where = "around a ring that is free in its plane" if included else "in a run"
     return [
         f"the friction of {slide.sum()} balls is below the coefficient of {needed.max():.2g} that"
-        " their gyroscopic moment requires: they slide across their grooves, and in a run they may"
+        f" their gyroscopic moment requires: they slide across their grooves, and {where} they may"
         " skid and dissipate more"
     ]
 

@@ -27,6 +27,10 @@ TOPICS = {
         Row("arrangement", "arrangement of the rows", None),
         row("rpm"),
         Row("orbital_speed_rad_s", "cage speed", "rad/s", "rolling, Harris ch. 10"),
+        Row("sliding_orbit_rad_s", "cage speed", "rad/s", "balance of the balls with friction"),
+        Row("ball_radial_rad_s", "rotation of a ball, radial", "rad/s", "the same balance"),
+        Row("ball_along_rad_s", "rotation of a ball, along its path", "rad/s", "the same balance"),
+        Row("ball_axial_rad_s", "rotation of a ball, axial", "rad/s", "the same balance"),
         Row(
             "ball_excursion_m",
             "excursion of balls in the cage",
@@ -82,7 +86,7 @@ TOPICS = {
     ),
     "Film at the largest inner load": (
         row("viscosity_Pa_s"),
-        row("entrainment_speed_m_s", "U_r of eq 6, rolling"),
+        row("entrainment_speed_m_s", "U_r of eq 6"),
         row("h_min_m"),
         row("h_c_m"),
         row("lambda"),
@@ -161,6 +165,8 @@ def table(result: Mapping[str, Any]) -> str:
         filled[key] = None if filled[key] is None else math.degrees(filled[key])
     if not filled["rpm"]:
         filled.update(orbital_speed_rad_s=None, centrifugal_N=None)
+    if filled["ball_axial_rad_s"] is not None:
+        filled.update(sliding_orbit_rad_s=filled["orbital_speed_rad_s"], orbital_speed_rad_s=None)
     block = _table_of_balls(result["balls"])
     text = [*lines(filled, TOPICS), "", "Balls", *block]
     if assumed := result.get("assumed_data"):

@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Under pure thrust, statics with friction and settled runs give the same motion of the balls, for
+balls that friction holds and for balls that skid under their gyroscopic moment. The inner ring of
+these runs is held in its plane."""
+
+import numpy as np
+import pytest
+import xarray
+from host import ROOT, succeed
+from raceway import inputs
+from raceway.theory import friction_torque, thrust_motion
+from raceway.theory.cage_drag import CageRing
+from raceway.theory.contact_law import FilmInGap
+from raceway.theory.lubrication import turning
+from raceway.theory.operating_point import figures
+
+INPUTS = ROOT / "inputs"
+
+
+def moving(
+    name, axial, rpm, temperature, models="full", cage=None, spin_law="closed", clearance=0.0
+):
+    path, oil, ring = INPUTS / "bearings" / name, INPUTS / "lubricants/vg46", rpm * np.pi / 30
+    body, fluid = inputs.bearing(path), inputs.fluid(oil, temperature)
+    film, density = FilmInGap(fluid, ring), inputs.ball_density(path)
+    rest, _ = turning(body, ring, 0.0, axial, ball_density=density, film=film, clearance=clearance)
+    assert thrust_motion.applies(body, rest)
+    return thrust_motion.find(
+        body,
+        rest,
+        inputs.oil(oil, temperature),
+        fluid,
+        film,
+        friction_torque.surfaces(body, inputs.size(path), fluid, ring, models),
+        density=density,
+        cage=cage,
+        spin_law=spin_law,
+        clearance=clearance,
+    )
+
+
+@pytest.mark.parametrize("cage", [None, CageRing(), CageRing(land=(31e-3, 0.2e-3, 4e-3))])
+@pytest.mark.parametrize("models", ["full", "eyring"])
+@pytest.mark.parametrize("spin_law", friction_torque.SPIN_LAWS)
+@pytest.mark.parametrize(
+    ("name", "axial", "rpm", "temperature"),
+    [
+        ("7208B", 2130, 10000, 107),
+        ("7208B", 426, -10000, 107),
+        ("7205B", 20, 15000, 80),
+        ("6208", -100, 10000, 60),
+        ("6306", 7, 25000, 26),
+    ],
+)
+def test_energy(name, axial, rpm, temperature, models, spin_law, cage):
+    """Forces and moments of all balls and of the ring balance, and the power of the torque equals
+    the sum of the losses, although both follow from different products of forces and speeds."""
+    found = moving(name, axial, rpm, temperature, models, cage, spin_law)
+    load, radius = (
+        abs(axial) / len(found.state.azimuth),
+        inputs.bearing(INPUTS / "bearings" / name).ball_radius,
+    )
+    assert np.all(np.abs(found.residual) < 1e-8 * load * np.array([1, 1, 1, 1, *3 * [radius]]))
+    assert found.torque * abs(rpm) * np.pi / 30 == pytest.approx(found.losses.power, rel=1e-6)
+    assert np.sign(found.orbit) == np.sign(rpm) == -np.sign(found.rotation[2])
+
+
+def test_balance_of_a_skidding_ball():
+    """In a 7208B under 426 N the balls slide much faster than s_e, so that friction is mu Q against
+    the sliding velocity. With this law and vectors in three dimensions, the forces on a ball
+    balance its centrifugal load and its drag, and the moment of friction about its path balances
+    the gyroscopic moment."""
+    found = moving("7208B", 426, 10000, 107)
+    body = inputs.bearing(INPUTS / "bearings/7208B")
+    radius, mass = body.ball_radius, 4 / 3 * np.pi * body.ball_radius**3 * 7800.0
+    u, t, e = np.eye(3)
+    turn, rho = found.rotation, found.place[0]
+    force, moment, rubbed = np.zeros(3), np.zeros(3), 0.0
+    for side, ring, mu in zip(
+        (found.state.inner, found.state.outer), (10000 * np.pi / 30, 0), found.losses.friction
+    ):
+        out = 1.0 if ring == 0 else -1.0
+        normal = out * (np.cos(side.angle[0]) * u + np.sin(side.angle[0]) * e)
+        place = rho * u + radius * normal
+        slide = found.orbit * rho * t + np.cross(turn, radius * normal) - np.cross(ring * e, place)
+        limit = mu[0] * side.load[0]
+        friction = -limit * slide / np.linalg.norm(slide)
+        force += friction - side.load[0] * normal
+        moment += np.cross(radius * normal, friction)
+        rubbed += limit
+    force += mass * found.orbit**2 * rho * u
+    force -= found.losses.drag[0] / (found.orbit * rho) * t
+    assert np.all(np.abs(force) < 0.05 * rubbed)
+    gyroscopic = 0.4 * mass * radius**2 * found.orbit * turn[0]
+    assert moment[1] == pytest.approx(gyroscopic, rel=0.02)
+    assert abs(moment[1]) == pytest.approx(rubbed * radius, rel=0.05)
+
+
+def rotations(data):
+    """Return the mean orbital speed of the balls and their mean rotation about the radial
+    direction, their path and the axis."""
+    x, y, vx, vy, *turn = (
+        data[f"ball_{one}"].values for one in ("x", "y", "vx", "vy", "omegax", "omegay", "omegaz")
+    )
+    rho = np.hypot(x, y)
+    radial, along = (x * turn[0] + y * turn[1]) / rho, (x * turn[1] - y * turn[0]) / rho
+    parts = (x * vy - y * vx) / rho**2, radial, along, turn[2]
+    return np.array([one.mean() for one in parts])
+
+
+@pytest.mark.parametrize("cage", ["chain", "ring"])
+@pytest.mark.parametrize(
+    ("name", "axial", "rpm", "temperature", "models"),
+    [
+        ("7208B", 1500, 10000, 107, "full"),  # friction holds the balls
+        ("7208B", 1100, 10000, 107, "full"),  # up to about 1000 N the balls skid
+        ("7208B", 800, 10000, 107, "full"),
+        ("7208B", 426, 10000, 107, "full"),
+        ("7205B", 174, 10000, 107, "full"),
+        ("7208B", 426, 3000, 107, "full"),  # held
+        ("7208B", 426, 7000, 107, "full"),
+        ("7205B", 100, 9000, 107, "full"),
+        ("7205B", 100, 12000, 107, "full"),
+        ("7205B", 300, 8000, 70, "eyring"),
+        ("6208", 100, 10000, 107, "full"),
+        ("6208", 2000, 3000, 60, "full"),
+    ],
+)
+def test_motion_as_in_a_run(tmp_path, name, axial, rpm, temperature, models, cage):
+    """Torque, orbital speed, rotation and loads agree within 0.5 %, and the power of each part
+    within 2 %. Statics leaves out the friction between balls and pockets, up to 8 % of the power
+    at the cage."""
+    words = dict(bearing=name, axial=axial, rpm=rpm, temperature=temperature, models=models)
+    succeed("tests/scenarios/in.thrust", out=tmp_path, cage=cage, **words)
+    with xarray.open_dataset(tmp_path / "record.nc") as data:
+        run = data.load()
+    found = moving(
+        name, axial, rpm, temperature, models, cage=CageRing() if cage == "ring" else None
+    )
+    ring = rpm * np.pi / 30
+    torque = -float(run["ring_torque"].isel(ring=0).mean())
+    assert abs(torque) == pytest.approx(found.torque, rel=5e-3)
+    motion = np.array([found.orbit, *found.rotation])
+    np.testing.assert_allclose(rotations(run), motion, rtol=5e-3, atol=1e-4 * ring)
+    load = run["load"].mean("time").transpose("raceway", "ball").values
+    for side, contacts in zip(load, (found.state.inner, found.state.outer)):
+        np.testing.assert_allclose(side, contacts.load, rtol=5e-3)
+    for part, power in found.losses.parts.items():
+        key = "friction" if part == "slip" else part
+        run_power = float(run[f"bearing_{key}_power"].mean())
+        within = 0.08 if part == "cage" else 0.02
+        assert run_power == pytest.approx(power, rel=within, abs=2e-3 * found.losses.power)
+
+
+@pytest.mark.parametrize("spin_law", friction_torque.SPIN_LAWS)
+def test_both_spin_laws_follow_the_run(tmp_path, spin_law):
+    succeed("tests/scenarios/in.thrust", out=tmp_path, axial=600, cage="chain", spin_law=spin_law)
+    with xarray.open_dataset(tmp_path / "record.nc") as data:
+        run = rotations(data), -float(data["ring_torque"].isel(ring=0).mean())
+    found = moving("7208B", 600, 10000, 107, spin_law=spin_law)
+    np.testing.assert_allclose(run[0], [found.orbit, *found.rotation], rtol=5e-3, atol=0.1)
+    assert abs(run[1]) == pytest.approx(found.torque, rel=5e-3)
+
+
+def test_clearance(tmp_path):
+    """With clearance the contact angles of a 6208 are larger."""
+    words = dict(bearing="6208", axial=300, rpm=6000, clearance=30e-6, cage="chain")
+    succeed("tests/scenarios/in.thrust", out=tmp_path, **words)
+    with xarray.open_dataset(tmp_path / "record.nc") as data:
+        run = rotations(data), -float(data["ring_torque"].isel(ring=0).mean())
+        angle = float(np.abs(data["angle"]).mean())
+    found = moving("6208", 300, 6000, 107, clearance=30e-6)
+    np.testing.assert_allclose(run[0], [found.orbit, *found.rotation], rtol=5e-3, atol=0.1)
+    assert abs(run[1]) == pytest.approx(found.torque, rel=5e-3)
+    angles = found.state.inner.angle.mean(), found.state.outer.angle.mean()
+    assert angle == pytest.approx(np.mean(angles), rel=5e-3)
+
+
+def test_command():
+    """`raceway static` reports this motion under pure thrust and under thrust with a negligible
+    radial load, but not under combined loads."""
+    point = dict(rpm=10000, temperature=107.0, held={"rx": 0.0, "ry": 0.0})
+    wanted = moving("7208B", 426, 10000, 107)
+    for load in (0.0, 0.01):
+        one = figures("7208B", "vg46", INPUTS, load=load, axial=426, **point)
+        assert one["friction_torque_N_m"] == pytest.approx(wanted.torque, rel=1e-6)
+        assert one["orbital_speed_rad_s"] == pytest.approx(wanted.orbit, rel=1e-6)
+        rotation = [one[f"ball_{name}_rad_s"] for name in ("radial", "along", "axial")]
+        assert rotation == pytest.approx(wanted.rotation, rel=1e-6)
+        assert any("free in its plane" in text for text in one["warnings"])
+    one = figures("7208B", "vg46", INPUTS, load=200.0, axial=426, **point)
+    assert "ball_radial_rad_s" not in one

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""in.warm_two: two bearings with different names, each heated by its own fix bearing/heat, share a
+thermal clock and do not affect each other's temperatures."""
+
+import numpy as np
+import pytest
+from host import run, succeed
+
+DECK = "tests/scenarios/in.warm_two"
+TEMPERATURES = ["temperature_inner", "temperature_balls", "temperature_outer"]
+
+
+def jumps(folder, name):
+    """Return the columns of the table of one bearing, keyed by name."""
+    file = folder / f"{name}.txt"
+    names = file.read_text().split("\n", 1)[0].removeprefix("#").split()
+    return dict(zip(names, np.loadtxt(file, ndmin=2).T))
+
+
+def alone(folder, load):
+    """Return the table of a bearing that warms up under a load (N) beside a cold one."""
+    succeed(DECK, out=folder, load_a=load, heat_b="no")
+    return jumps(folder, "a")
+
+
+def test_equal_bearings_have_equal_temperatures(tmp_path):
+    """The balls differ in rounding, and so do light contacts. The mean losses of a ball pass are
+    accurate to 1e-3; an error of 1e-3 in one of them changes a temperature by far less than 1e-4
+    of its value."""
+    succeed(DECK, out=tmp_path)
+    a, b = jumps(tmp_path, "a"), jumps(tmp_path, "b")
+    one = alone(tmp_path / "one", 500)
+    assert a["thermal_time"][-1] > 100
+    bounds = dict.fromkeys([*TEMPERATURES, "thermal_time"], 1e-4) | {"power": 1e-3}
+    for column, bound in bounds.items():
+        assert a[column] == pytest.approx(b[column], rel=bound), column
+        assert a[column] == pytest.approx(one[column], rel=bound), column
+
+
+def test_one_clock_for_different_loads(tmp_path):
+    """Steady temperatures are exact to 0.05 K (each run) where the losses stay as they are."""
+    succeed(DECK, out=tmp_path, load_b=2000)
+    tables = jumps(tmp_path, "a"), jumps(tmp_path, "b")
+    assert np.array_equal(tables[0]["thermal_time"], tables[1]["thermal_time"])
+    for table, load in zip(tables, (500, 2000)):
+        one = alone(tmp_path / f"{load}", load)
+        for column in TEMPERATURES:
+            assert table[column][-1] == pytest.approx(one[column][-1], abs=0.1), (load, column)
+
+
+def test_different_thermal_times_are_refused(tmp_path):
+    done = run(DECK, out=tmp_path, until_a=10, until_b=20)
+    assert done.code != 0
+    assert "all bearings share one thermal clock" in done.error
