@@ -13,9 +13,12 @@ namespace fs = std::filesystem;
 
 namespace bearing {
 
+static std::vector<std::string> own_words;    // empty unless they have been set
+
 // Returns the command line of the program. The host does not store a copy of it.
 static std::vector<std::string> command_line()
 {
+  if (!own_words.empty()) return own_words;
   std::ifstream file("/proc/self/cmdline");
   std::vector<std::string> words;
   for (std::string word; std::getline(file, word, '\0');) words.push_back(word);
@@ -147,3 +150,8 @@ std::string wrong_with(const std::string &value)
 }
 
 }    // namespace bearing
+
+extern "C" void raceway_set_command_line(int argc, char **argv)
+{
+  bearing::own_words.assign(argv, argv + argc);
+}

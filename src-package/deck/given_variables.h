@@ -45,3 +45,7 @@ std::string nearest(const std::string &name, const Names &);
 std::string wrong_with(const std::string &value);
 
 }    // namespace bearing
+
+// Sets the command line of a run whose process was not started with it (host/run_server.h).
+extern "C" __attribute__((visibility("default"))) void raceway_set_command_line(int argc,
+                                                                                char **argv);

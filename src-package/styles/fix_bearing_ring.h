@@ -59,6 +59,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // the ring's angle.
   bool constant() const;
   double ramp() const { return settings_.program.ramp; }    // s, ramp time of the loads
+  void shorten_ramp(double most) { settings_.program.ramp = std::min(ramp(), most); }
   // Returns the tag of the first ring if all rings of the fix are on one shaft, and 0 otherwise;
   // the second function returns the position (m) of a ring along the shaft.
   virtual bearing::tag_t shaft() const { return 0; }

@@ -19,6 +19,7 @@ FixBearingState::FixBearingState(LAMMPS *lmp, int narg, char **arg) :
   nevery = 10;    // number of steps between checks of the contacts
   BRG_SET_MAXEXCHANGE(packed_size);
   grow_arrays(atom->nmax);
+  hold(atom->nlocal + atom->nghost);
   atom->add_callback(0);
   atom->add_callback(1);
   for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
@@ -35,6 +36,7 @@ int FixBearingState::setmask() { return PRE_NEIGHBOR | END_OF_STEP | POST_RUN; }
 
 void FixBearingState::pre_neighbor()
 {
+  hold(atom->nlocal + atom->nghost);
   pair_->indices_changed();
   axes_sent_ = -1;    // the ghosts may be different atoms now
 }
@@ -110,12 +112,24 @@ void FixBearingState::forward_axes()
   BRG_FORWARD_FIX(this);
 }
 
-void FixBearingState::grow_arrays(int n) { per_atom_.resize(n); }
+// Hosts reserve memory for thousands of atoms, of which a bearing has a few dozen. Memory that is
+// not used is not touched.
+void FixBearingState::grow_arrays(int n) { per_atom_.reserve(n); }
 
-void FixBearingState::copy_arrays(int i, int j, int) { per_atom_[j] = per_atom_[i]; }
+void FixBearingState::hold(int n)
+{
+  if (static_cast<size_t>(n) > per_atom_.size()) per_atom_.resize(n);
+}
+
+void FixBearingState::copy_arrays(int i, int j, int)
+{
+  hold(std::max(i, j) + 1);
+  per_atom_[j] = per_atom_[i];
+}
 
 void FixBearingState::set_arrays(int i)
 {
+  hold(i + 1);
   per_atom_[i] = PerAtom();
   per_atom_[i].ring.axis = pair_->axis();
   per_atom_[i].ring.origin = Vec3::from(atom->x[i]);
@@ -150,6 +164,7 @@ int FixBearingState::pack_exchange(int i, double *buf)
 
 int FixBearingState::unpack_exchange(int i, double *buf)
 {
+  hold(i + 1);
   PerAtom &p = per_atom_[i];
   int m = 0;
   p.n_grooves = static_cast<int>(buf[m++]);
@@ -212,6 +227,7 @@ int FixBearingState::BRG_PACK_FORWARD(int n, int *list, double *buf, int, int *)
 
 void FixBearingState::BRG_UNPACK_FORWARD(int n, int first, double *buf)
 {
+  hold(first + n);
   for (int k = 0; k < n; ++k) {
     per_atom_[first + k].ring.axis = Vec3::from(buf + 5 * k);
     per_atom_[first + k].owner = static_cast<int>(buf[5 * k + 3]);

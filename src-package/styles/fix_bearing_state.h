@@ -115,6 +115,7 @@ class FixBearingState : public Fix {
   static constexpr int packed_size = 2 + (2 + room) * max_grooves + 10 + 4 + 8;
 
   void save_forces();
+  void hold(int atoms);    // makes room for the states of as many atoms
 
   std::vector<PerAtom> per_atom_;
   bearing::PairHooks *pair_;

@@ -11,8 +11,11 @@ namespace bearing {
 // occurs if balls touch the cage or one another at different positions in every ball pass.
 static constexpr double patience = 5.0;
 static constexpr double most_jumps = 8.0;
-// A jump is useful if more than this fraction of the residual remains after an ordinary ball pass.
-static constexpr double slow = 0.6;
+// A jump is useful if ordinary ball passes would take longer than this to reach the orbit. A jump
+// itself takes one ball pass in which the fast modes settle.
+static constexpr double soon = 3.0;
+// Slower decays cannot be distinguished from noise (settling_rest.h).
+static constexpr double slowest = 0.98;
 // A ball pass counts as progress if its residual is below this fraction of the smallest one so far.
 static constexpr double less = 0.7;
 
@@ -42,7 +45,11 @@ void OrbitSearch::judge(const OrbitBalls &balls, const std::vector<double> &end,
   if (!map_.begun())
     map_ = raceway::FixedPoint(raceway::FixedPoint::Settings(), balls.weights(now_.passes));
   map_.add(start_, end);
-  const raceway::FixedPoint::Next next = map_.next();
+  raceway::FixedPoint::Next next = map_.next();
+  const double keeps = map_.contraction();
+  // the part that has decayed least since the previous value may be hidden by parts that have
+  // decayed more
+  next.distance = std::max(next.distance, next.residual / (1.0 - std::min(keeps, slowest)));
   now_.residual = next.residual;
   now_.distance = next.distance;
   const double steady = 0.2 * settled, close = 0.1 * settled;
@@ -52,11 +59,14 @@ void OrbitSearch::judge(const OrbitBalls &balls, const std::vector<double> &end,
     now_.stage = FOUND;
     return;
   }
-  const double keeps = map_.contraction(), progress = std::max(close, next.residual);
-  if (keeps < 0.0) map_.forget();    // the last jump overshot the orbit, so older values are
-                                     // dropped
-  const bool jumps =
-      (next.residual > close || next.distance > settled) && keeps > slow && now_.jumps < most_jumps;
+  const double progress = std::max(close, next.residual);
+  if (keeps < 0.0) {
+    map_.forget();
+    // the last jump overshot the orbit: the search begins again from here
+    if (now_.values == 0.0) now_.best = HUGE_VAL;
+  }
+  const bool jumps = keeps > 0.0 && now_.jumps < most_jumps &&
+                     settled < next.distance * std::pow(std::min(keeps, slowest), soon);
   if (progress < less * now_.best || jumps) {
     now_.best = std::min(now_.best, progress);
     now_.best_pass = now_.passes;

@@ -50,6 +50,10 @@ class OrbitSearch {
   void begin(LAMMPS_NS::LAMMPS *);
   void end_pass(LAMMPS_NS::LAMMPS *, const SettlingChanges &, double settled);
 
+  // Returns the Floquet multipliers of a ball pass as far as the search has encountered them,
+  // starting with the largest.
+  std::vector<raceway::Multiplier> multipliers() const { return map_.multipliers(); }
+
   // Returns all values of the state for a restart file.
   std::vector<double> packed() const;
   void unpack(const std::vector<double> &);

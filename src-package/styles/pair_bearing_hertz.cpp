@@ -142,12 +142,13 @@ void PairBearingHertz::put_state_last()
   if (at < 0 || at != modify->nfix - 1) {
     std::vector<FixBearingState::PerAtom> kept;
     if (at >= 0) {
-      kept = dynamic_cast<FixBearingState *>(modify->fix[at])->per_atom();
+      kept = std::move(dynamic_cast<FixBearingState *>(modify->fix[at])->per_atom());
       modify->delete_fix(FixBearingState::fixed_id);
     }
     const char *words[3] = {FixBearingState::fixed_id, "all", "bearing/state"};
     modify->add_fix(3, const_cast<char **>(words));
-    if (at >= 0) dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1])->per_atom() = kept;
+    if (at >= 0)
+      dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1])->per_atom() = std::move(kept);
   }
   state_ = dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1]);
   state_->keep_axes();

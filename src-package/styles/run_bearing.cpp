@@ -91,6 +91,7 @@ void RunBearing::command(int narg, char **arg)
       ("fix " + std::string(FixBearingRun::fixed_id) + " all bearing/run " + words()).c_str());
   fix_ = bearing::fixes_of<FixBearingRun>(lmp).front();
   if (!fix_->resumed()) plan();
+  else if (fix_->orbit().runs()) shorten_ramps();
   if (now().measures == 0.0) settle();
   measure();
   input->one(("unfix " + std::string(FixBearingRun::fixed_id)).c_str());
@@ -120,10 +121,10 @@ void RunBearing::plan()
   now().start = bearing::SimulatedTime::now(*update);
   if (update->ntimestep != 0) begin_at_step_0(now().start);
   now().pass = bearing::ball_pass_time(lmp, command_name, settings_.angle);
+  begin_search();
   double ramp = 0.0;    // s, time after which the full loads act
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp = std::max(ramp, f->ramp());
-  begin_search();
   // a whole ball pass with adaptive steps precedes the steps of constant length
   const double before = automatic() ? (implicit() ? 0.0 : 1.0) : settings_.settle;
   const double least = fix_->orbit().runs() ? 1e-3 : 1e-2;    // s

@@ -62,7 +62,10 @@ class RunBearing : public bearing::CommandBase {
   bool automatic() const { return settings_.automatic; }
   std::string why_no_orbit();
   void begin_search();
+  void shorten_ramps();
   void say_search();
+  void say_multipliers();
+  void note_orbit(class FixBearingRecord &);
   bearing::Sampling sampling();
   double sampled_length();
   void fix_step(double wanted);

@@ -30,10 +30,7 @@ void RunBearing::note_settling(FixBearingRecord &f)
   const bearing::OrbitSearch &orbit = fix_->orbit();
   const SettlingChanges &c = orbit.found() ? now().changes : now().rest;
   if (automatic()) {
-    if (settings_.orbit) {
-      f.note(NetcdfHeader::attribute("orbit", orbit.found() ? "found" : "none"));
-      f.note(NetcdfHeader::attribute("orbit_passes", orbit.now().passes));
-    }
+    if (settings_.orbit) note_orbit(f);
     f.note(NetcdfHeader::attribute("settled_passes", now().passes));
     f.note(NetcdfHeader::attribute("rest_torque", c.torque));
     f.note(NetcdfHeader::attribute("rest_load", c.load));

@@ -6,6 +6,7 @@
 #include "fix_bearing_grains.h"
 #include "fix_bearing_heat.h"
 #include "fix_bearing_profile.h"
+#include "fix_bearing_record.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "print_line.h"
@@ -13,8 +14,10 @@
 
 using namespace LAMMPS_NS;
 using bearing::fixes_of;
+using bearing::NetcdfHeader;
 using bearing::print_line;
 using bearing::text;
+using raceway::Multiplier;
 
 // Returns the reason why no ball pass in this scene can repeat the previous one, or an empty string
 // if this is possible.
@@ -41,7 +44,14 @@ void RunBearing::begin_search()
   bearing::OrbitSearch::State &search = fix_->orbit().now();
   search.stage = why.empty() ? bearing::OrbitSearch::ON : bearing::OrbitSearch::NONE;
   now().settled = 0.1 * settings_.settled;
-  if (!why.empty()) print_line(lmp, "No orbit: " + why + ". Settling until ball passes agree");
+  if (why.empty()) shorten_ramps();
+  else print_line(lmp, "No orbit: " + why + ". Settling until ball passes agree");
+}
+
+// The orbit does not depend on how the loads were applied, so they are applied quickly.
+void RunBearing::shorten_ramps()
+{
+  for (FixBearingRing *f : fixes_of<FixBearingRing>(lmp)) f->shorten_ramp(3e-4);
 }
 
 // Prints a line after a ball pass of the search.
@@ -55,8 +65,73 @@ void RunBearing::say_search()
   else snprintf(line, sizeof line, "  speeds of the balls %.1e; the next are chosen", s.residual);
   print_line(lmp, line);
   const std::string after = text(s.passes) + " ball passes";
-  if (fix_->orbit().found()) print_line(lmp, "Orbit after " + after);
-  else if (!fix_->orbit().runs())
+  if (fix_->orbit().found()) {
+    print_line(lmp, "Orbit after " + after);
+    say_multipliers();
+  } else if (!fix_->orbit().runs())
     print_line(lmp, "No orbit: no ball pass of " + after +
                         " repeats the previous one. Settling until they agree");
+}
+
+// Returns the multipliers whose values are known, e.g. "0.58 0.31+0.20i 0.31-0.20i".
+static std::string written_multipliers(const std::vector<Multiplier> &all)
+{
+  std::string list;
+  char one[60];
+  for (const Multiplier &m : all) {
+    if (!m.known()) continue;
+    snprintf(one, sizeof one, m.value.imag() == 0.0 ? "%.4g" : "%.4g%+.4gi", m.value.real(),
+             m.value.imag());
+    list += (list.empty() ? "" : " ") + std::string(one);
+  }
+  return list;
+}
+
+// Names what happens to a disturbance of the orbit. It is determined by the largest multiplier.
+static std::string stability(const Multiplier &largest)
+{
+  const std::string whirl = largest.whirls() ? ", whirl" : "";
+  if (largest.stable()) return "stable" + whirl;
+  return (largest.unstable() ? "unstable" : "unknown") + whirl;
+}
+
+void RunBearing::say_multipliers()
+{
+  const std::vector<Multiplier> all = fix_->orbit().multipliers();
+  if (all.empty()) return;
+  const Multiplier &m = all.front();
+  char line[160];
+  if (m.known())
+    snprintf(line, sizeof line, "a ball pass leaves %.4f (+-%.0e) of a disturbance", m.modulus(),
+             m.error);
+  else
+    snprintf(line, sizeof line, "a ball pass leaves at most %.2g of a disturbance",
+             m.modulus() + m.error);
+  std::string turns;
+  if (m.whirls()) {
+    char angle[60];
+    snprintf(angle, sizeof angle, ", and shifts its phase by %.3f turns", std::fabs(m.turn()));
+    turns = angle;
+  }
+  print_line(lmp, "  " + stability(m) + ": " + line + turns);
+}
+
+// Adds the results of the search to a record.
+void RunBearing::note_orbit(FixBearingRecord &record)
+{
+  const bearing::OrbitSearch &orbit = fix_->orbit();
+  record.note(NetcdfHeader::attribute("orbit", orbit.found() ? "found" : "none"));
+  record.note(NetcdfHeader::attribute("orbit_passes", orbit.now().passes));
+  if (!orbit.found()) return;
+  const std::vector<Multiplier> all = orbit.multipliers();
+  if (all.empty()) return;
+  record.note(NetcdfHeader::attribute("orbit_stability", stability(all.front())));
+  if (!all.front().known()) {
+    const double most = all.front().modulus() + all.front().error;
+    record.note(NetcdfHeader::attribute("orbit_multiplier_limit", most));
+    return;
+  }
+  record.note(NetcdfHeader::attribute("orbit_multiplier", all.front().modulus()));
+  record.note(NetcdfHeader::attribute("orbit_multiplier_error", all.front().error));
+  record.note(NetcdfHeader::attribute("orbit_multipliers", written_multipliers(all)));
 }

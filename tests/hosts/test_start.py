@@ -68,6 +68,17 @@ def test_programs_that_a_deck_starts(tmp_path):
     assert not [line for line in (tmp_path / "seen").read_text().splitlines() if "pml" in line]
 
 
+def test_devices_of_the_machine(tmp_path, monkeypatch):
+    """Programs that a deck starts may look for them again, as the user has set."""
+    for name in ("HWLOC_COMPONENTS", "HWLOC_SYNTHETIC"):
+        monkeypatch.delitem(ENVIRONMENT, name, raising=False)
+    for own in ({}, {"HWLOC_COMPONENTS": "-gl"}):
+        settings("liggghts", tmp_path, "shell env > seen", **own)
+        seen = (tmp_path / "seen").read_text().splitlines()
+        found = [line for line in seen if line.startswith("HWLOC_")]
+        assert found == [f"{name}={value}" for name, value in own.items()]
+
+
 def test_many_starts_at_once(tmp_path):
     """Without isolation, ten of 400 starts (eight at a time) failed in MPI_Init, because processes
     that were ending removed the session folder of processes that were starting."""

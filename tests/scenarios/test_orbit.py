@@ -2,9 +2,10 @@
 """`settle orbit` of run_bearing finds the state in which each ball pass repeats the previous
 one."""
 
+import numpy as np
 import pytest
 import raceway
-from host import succeed
+from host import ROOT, succeed
 
 from scenarios.test_run_bearing import DECK as run_deck
 from scenarios.test_run_bearing import TURNS, differ, stop, values
@@ -49,11 +50,15 @@ def test_figures_are_those_of_a_settled_run(scene, settle, share, tmp_path):
         ),
         ({"integrator": "verlet", "rpm": 5000}, "velocity Verlet"),
         (
-            {"clearance": 0, "load": 5000, "models": "full", "rpm": 477.5},
+            {"clearance": 0, "load": 5000, "models": "full", "rpm": 477.5, "cage": "chain"},
+            "repeats the previous one",
+        ),
+        (
+            {"clearance": 0, "load": 1000, "models": "full", "cage": "no"},
             "repeats the previous one",
         ),
     ],
-    ids=["unbalance", "flaw", "verlet", "cage"],
+    ids=["unbalance", "flaw", "verlet", "chain", "free balls"],
 )
 def test_scenes_without_an_orbit_settle_until_ball_passes_agree(words, why, tmp_path):
     done = succeed(DECK, out=tmp_path, settle="orbit", **{**PRELOAD, "models": "paper", **words})
@@ -96,3 +101,51 @@ def test_hosts(host, tmp_path):
         out = tmp_path / folder
         succeed(DECK, out=out, host=program, settle="orbit", samples=20, **THRUST)
     assert differ(tmp_path / "one", tmp_path / "other") == []
+
+
+LATER = """
+variable slow_x atom 0.95*vx
+variable slow_y atom 0.95*vy
+velocity balls set v_slow_x v_slow_y NULL units box
+variable later string ${out}/later
+fix later all bearing/record 20 ${later}
+run 600
+"""
+# other bearings under thrust, whose multipliers are larger
+SLOWER = {**FULL, "bearing": 7208, "axial": 500, "load": "1e-3", "rpm": 6000}
+FASTER = {**FULL, "bearing": "7206B", "axial": 500, "load": "1e-3", "rpm": 8000}
+
+
+def decays(folder, largest):
+    """Return by which factors the changes of the mean speeds of the balls decrease from one ball
+    pass to the next, while the relative changes of their spins are between `largest` and 2e-5;
+    later changes are affected by the tolerance of the steps."""
+    balls = raceway.open(folder).balls
+    x, y, vx, vy = (balls[name].to_numpy() for name in ("x", "y", "vx", "vy"))
+    wx, wy, wz = (balls[f"omega{axis}"].to_numpy() for axis in "xyz")
+    speeds = {
+        "cage": (x * vy - y * vx) / (x**2 + y**2),
+        "radial spin": (x * wx + y * wy) / np.hypot(x, y),
+        "axial spin": wz,
+    }
+    means = {name: speed.mean(axis=1) for name, speed in speeds.items()}
+    steps = {name: np.diff(mean) / np.abs(mean[-1]) for name, mean in means.items()}
+    spins = np.abs([steps["radial spin"], steps["axial spin"]])
+    small = (spins.max(axis=0) < largest) & (spins.min(axis=0) > 2e-5)
+    return {name: (one[1:] / one[:-1])[small[1:] & small[:-1]] for name, one in steps.items()}
+
+
+@pytest.mark.parametrize("scene", [THRUST, SLOWER, FASTER], ids=["7205B", "7208", "7206B"])
+def test_multiplier_is_the_decay_of_a_disturbed_run(scene, tmp_path):
+    """The orbital speeds of all balls are reduced by 5 % on the orbit. The cage speed and the spins
+    then return to the orbit as its largest multiplier states."""
+    deck = tmp_path / "in.disturbed"
+    deck.write_text((ROOT / DECK).read_text() + LATER)
+    done = succeed(deck, out=tmp_path / "run", settle="orbit", **scene)
+    assert "stable: a ball pass leaves 0." in done.text
+    found = raceway.open(tmp_path / "run").summary()
+    assert found["orbit_stability"] == "stable"
+    assert found["orbit_multiplier_error"] < 0.02 * found["orbit_multiplier"]
+    for speed, factors in decays(tmp_path / "run" / "later", 4e-4).items():
+        assert len(factors) >= 4, speed
+        assert factors == pytest.approx(found["orbit_multiplier"], rel=0.02), speed

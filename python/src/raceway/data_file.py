@@ -4,7 +4,7 @@ against the ranges allowed in decks (`sweeps.variable_table`)."""
 
 import math
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -73,8 +73,13 @@ def comments(path: FilePath) -> dict[str, str]:
 
 def _lines(path):
     """Return the first line of each name in a data file as {name: `data_table.Line`}."""
+    return _lines_of(text(path), path)
+
+
+@lru_cache(maxsize=256)  # a summary reads the same oil dozens of times
+def _lines_of(content, path):
     found: dict[str, data_table.Line] = {}
-    for number, row in enumerate(text(path).splitlines(), start=1):
+    for number, row in enumerate(content.splitlines(), start=1):
         if line := data_table.line(row, f"{path}, line {number}"):
             found.setdefault(line.name, line)
     return found

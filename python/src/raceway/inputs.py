@@ -308,8 +308,8 @@ def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
         result = Fluid(own, *[math.nan] * (len(Fluid._fields) - 1))
     given = {field: key for field, key in FLUID.items() if key in data}
     result = result._replace(**dict(zip(given, numbers(path, *given.values()).values())))
-    usual = {field: key for field, key in FLUID.items() if key in assumed(path)}
-    return result._replace(**{field: assumed(path)[key] for field, key in usual.items()})
+    usual = assumed(path)
+    return result._replace(**{field: usual[key] for field, key in FLUID.items() if key in usual})
 
 
 def assumed(path: FilePath, models: str | None = None) -> dict[str, float]:

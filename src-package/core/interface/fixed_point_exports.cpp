@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exports the starting points of Anderson acceleration (fixed_point.h).
+// Exports the starting points of Anderson acceleration (fixed_point.h) and the multipliers of a map
+// (multipliers.h).
 #include "../numbers/fixed_point.h"
 #include "exports.h"
 
@@ -9,11 +10,8 @@ using raceway::FixedPoint;
 
 RECORD(FixedPointNext, double residual, distance, contraction;)
 
-// Computes the next start and the norms from the last `starts` starts and the corresponding values
-// of the map, in order. Each of them consists of n numbers.
-EXPORT(void, fixed_point,
-       (int starts, int n, double reach, const double *x, const double *g, const double *weights,
-        double *next, FixedPointNext *out))
+static FixedPoint filled(int starts, int n, double reach, const double *x, const double *g,
+                         const double *weights)
 {
   FixedPoint::Settings set;
   set.reach = reach;
@@ -22,9 +20,35 @@ EXPORT(void, fixed_point,
     const long at = static_cast<long>(k) * n;
     map.add({x + at, x + at + n}, {g + at, g + at + n});
   }
+  return map;
+}
+
+// Computes the next start and the norms from the last `starts` starts and the corresponding values
+// of the map, in order. Each of them consists of n numbers.
+EXPORT(void, fixed_point,
+       (int starts, int n, double reach, const double *x, const double *g, const double *weights,
+        double *next, FixedPointNext *out))
+{
+  const FixedPoint map = filled(starts, n, reach, x, g, weights);
   FixedPoint copy;    // the copy is unpacked in the same way as after a restart
   copy.unpack(map.packed());
   const FixedPoint::Next to = map.next();
   std::copy(to.start.begin(), to.start.end(), next);
   *out = {to.residual, to.distance, copy.contraction()};
+}
+
+// Computes the multipliers of a map from its last `starts` values, at most four of them, and their
+// errors, and returns their number. `kind` is the sum of 1 (stable), 2 (unstable) and 4 (whirls).
+EXPORT(int, multipliers,
+       (int starts, int n, const double *x, const double *g, const double *weights, double *real,
+        double *imaginary, double *error, int *kind))
+{
+  const auto all = filled(starts, n, 1.0, x, g, weights).multipliers();
+  for (size_t k = 0; k < all.size(); ++k) {
+    real[k] = all[k].value.real();
+    imaginary[k] = all[k].value.imag();
+    error[k] = all[k].error;
+    kind[k] = all[k].stable() + 2 * all[k].unstable() + 4 * all[k].whirls();
+  }
+  return static_cast<int>(all.size());
 }

@@ -7,8 +7,7 @@
 // the body relative to axes that rotate at half the sum of the speeds of both surfaces. The
 // integrals over half of the gap are exact (substitution of Sommerfeld; Booker, J. Basic Eng. 87,
 // 1965). All values are in SI units.
-#ifndef RACEWAY_HALF_FILM_H
-#define RACEWAY_HALF_FILM_H
+#pragma once
 
 #include "../numbers/dual.h"
 
@@ -62,5 +61,3 @@ RACEWAY_INLINE HalfFilm<T> half_film(const T &k, const Eccentricity<T> &at, cons
 }
 
 }    // namespace raceway
-
-#endif

@@ -12,6 +12,8 @@
 // placed further along the residuals.
 #pragma once
 
+#include "multipliers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -48,20 +50,17 @@ class FixedPoint {
     if (x_.size() <= set_.memory) return;
     x_.erase(x_.begin());
     g_.erase(g_.begin());
+    if (first_ > 0) --first_;
   }
 
-  void forget()    // forgets all starts except the last
-  {
-    if (x_.size() < 2) return;
-    x_.erase(x_.begin(), x_.end() - 1);
-    g_.erase(g_.begin(), g_.end() - 1);
-  }
+  // Chooses later starts without those up to now, except for the last.
+  void forget() { first_ = x_.empty() ? 0 : x_.size() - 1; }
 
   // Returns the component of the last residual along the previous one, as a fraction of the
   // previous one, or 0 if there is only one start.
   double contraction() const
   {
-    if (x_.size() < 2) return 0.0;
+    if (x_.size() - first_ < 2) return 0.0;
     const Vector f = residual(x_.size() - 1), before = residual(x_.size() - 2);
     const double whole = dot(before, before);
     return whole > 0.0 ? dot(f, before) / whole : 0.0;
@@ -74,7 +73,7 @@ class FixedPoint {
     Vector f = residual(last), move(n, 0.0);
     to.residual = norm(f);
     std::vector<Vector> basis, images;    // orthonormal differences of f; equal combinations of g
-    for (size_t j = last; j-- > 0;) {
+    for (size_t j = last; j-- > first_;) {
       Vector df = difference(residual(j + 1), residual(j)), dg = difference(g_[j + 1], g_[j]);
       const double whole = norm(df);
       if (!(whole >= set_.flat * to.residual)) {
@@ -96,12 +95,12 @@ class FixedPoint {
       images.push_back(std::move(dg));
     }
     for (size_t b = 0; b < basis.size(); ++b) subtract(move, dot(basis[b], f), images[b]);
-    if (basis.empty() && last > 0) {
+    if (basis.empty() && last > first_) {
       // sum of all further residuals if each is smaller than the previous one by that factor
       const double share = contraction(), sum = share < 1.0 ? share / (1.0 - share) : HUGE_VAL;
       subtract(move, -std::min(sum, 2.0 * set_.reach / to.residual), f);
       to.distance = to.residual * (1.0 + sum);
-    } else if (last > 0) {
+    } else if (last > first_) {
       Vector way = f;
       subtract(way, -1.0, move);
       to.distance = norm(way);
@@ -112,10 +111,31 @@ class FixedPoint {
     return to;
   }
 
+  // Returns the multipliers of the map. They are estimated from the differences between the stored
+  // starts, from the last differences that determine the largest multiplier to 1 % or, if there are
+  // none, from those that determine it best: the very last ones may be too small.
+  std::vector<Multiplier> multipliers() const
+  {
+    std::vector<Vector> changes, images;
+    for (size_t j = x_.empty() ? 0 : x_.size() - 1; j-- > 0;) {
+      changes.push_back(weighted(difference(x_[j + 1], x_[j])));
+      images.push_back(weighted(difference(g_[j + 1], g_[j])));
+    }
+    std::vector<Multiplier> best;
+    while (!changes.empty() && !(!best.empty() && best[0].relative_error() <= 1e-2)) {
+      const std::vector<Multiplier> found = raceway::multipliers(changes, images);
+      if (!found.empty() && (best.empty() || found[0].relative_error() < best[0].relative_error()))
+        best = found;
+      changes.erase(changes.begin());
+      images.erase(images.begin());
+    }
+    return best;
+  }
+
   // Returns all data as numbers, for a restart file.
   Vector packed() const
   {
-    Vector all = {double(weights_.size()), double(x_.size())};
+    Vector all = {double(weights_.size()), double(x_.size()), double(first_)};
     const auto append = [&all](const Vector &v) { all.insert(all.end(), v.begin(), v.end()); };
     append(weights_);
     for (const Vector &x : x_) append(x);
@@ -125,7 +145,8 @@ class FixedPoint {
   void unpack(const Vector &all)
   {
     const size_t n = static_cast<size_t>(all[0]), starts = static_cast<size_t>(all[1]);
-    auto at = all.begin() + 2;
+    first_ = static_cast<size_t>(all[2]);
+    auto at = all.begin() + 3;
     const auto take = [&at, n] {
       at += static_cast<std::ptrdiff_t>(n);
       return Vector(at - static_cast<std::ptrdiff_t>(n), at);
@@ -148,6 +169,11 @@ class FixedPoint {
   {
     for (size_t i = 0; i < v.size(); ++i) from[i] -= times * v[i];
   }
+  Vector weighted(Vector v) const
+  {
+    for (size_t i = 0; i < v.size(); ++i) v[i] *= weights_[i];
+    return v;
+  }
   Vector residual(size_t k) const { return difference(g_[k], x_[k]); }
   double dot(const Vector &a, const Vector &b) const
   {
@@ -160,6 +186,7 @@ class FixedPoint {
   Settings set_;
   Vector weights_;
   std::vector<Vector> x_, g_;
+  size_t first_ = 0;    // number of starts that next() ignores
 };
 
 }    // namespace raceway

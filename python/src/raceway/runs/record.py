@@ -219,7 +219,11 @@ class Record:
         return values
 
     def _scattered(self, name, samples):
-        """Return a variable at scattered samples, without reading or mapping those in between."""
+        """Return a variable at scattered samples. Those in between are read only if all of them
+        fit into one block."""
+        if np.size(samples) and (np.ptp(samples) + 1) * self.record_bytes <= BLOCK:
+            first = np.min(samples)
+            return self._scan([name], first, np.max(samples) + 1)[name][samples - first]
         parts = self._parts(name)
         row = np.empty(1, self._row)
         found = np.empty((np.size(samples), *row[name][(slice(None), *parts)].shape[1:]))

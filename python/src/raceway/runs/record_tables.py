@@ -113,13 +113,12 @@ def rings(record: Record, start: int, stop: int) -> pd.DataFrame:
         record.variables[f"ring_{axis}"]  # raises an error if the ring is missing
     names = record.timed("ring_")
     data = record.read(["step", "time", *names], start, stop)
-    table = pd.DataFrame({"step": data["step"], "time": data["time"]})
-    for name in names:
-        table[name.removeprefix("ring_")] = data[name][:, inner]
+    columns = {"step": data["step"], "time": data["time"]}
+    columns |= {name.removeprefix("ring_"): data[name][:, inner] for name in names}
     if (name := "bearing_capacitance") in record.variables:
-        table["capacitance"] = record.read([name], start, stop)[name][:, 0]
-    table["sample"] = np.arange(start, start + len(table))
-    return table
+        columns["capacitance"] = record.read([name], start, stop)[name][:, 0]
+    columns["sample"] = np.arange(start, start + len(data["time"]))
+    return pd.DataFrame(columns)
 
 
 def totals(record: Record, start: int, stop: int) -> pd.DataFrame:
@@ -129,10 +128,8 @@ def totals(record: Record, start: int, stop: int) -> pd.DataFrame:
     for name in ("contacts", "loaded_balls", "pressure_inner", "pressure_outer", "cage_speed"):
         record.variables[f"bearing_{name}"]  # raises an error if it is missing
     data = record.read(record.timed("bearing_"), start, stop)
-    table = pd.DataFrame(
-        {name.removeprefix("bearing_"): values[:, 0] for name, values in data.items()}
-    )
-    table = table.astype({"contacts": int, "loaded_balls": int})
-    table["pressure"] = table[["pressure_inner", "pressure_outer"]].max(axis=1)
-    table.index = pd.RangeIndex(start, start + len(table), name="sample")
-    return table
+    columns = {name.removeprefix("bearing_"): values[:, 0] for name, values in data.items()}
+    columns |= {name: columns[name].astype(int) for name in ("contacts", "loaded_balls")}
+    columns["pressure"] = np.fmax(columns["pressure_inner"], columns["pressure_outer"])
+    index = pd.RangeIndex(start, start + len(columns["pressure"]), name="sample")
+    return pd.DataFrame(columns, index=index)

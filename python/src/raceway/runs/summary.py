@@ -22,7 +22,7 @@ from raceway.runs.model_range import Range, model_ranges
 from raceway.runs.rating import rating
 from raceway.runs.settings import LUBRICANT
 from raceway.runs.settling import settling
-from raceway.runs.summary_table import NAME
+from raceway.runs.summary_table import NAME, PERIODIC
 from raceway.runs.summary_table import TOPICS as TOPICS
 from raceway.runs.summary_table import reasons as reasons
 from raceway.runs.summary_table import shown as shown
@@ -95,6 +95,7 @@ def summary(tables: RunTables) -> dict[str, Any]:
     if assumed := str(settings.get("assumed_data") or ""):
         pairs = (word.split("=", 1) for word in assumed.split(","))
         result["assumed_data"] = {name: float(value) for name, value in pairs}
+    result |= {key: settings[key] for key in PERIODIC if key in settings}
     if flaws := by_part(settings):
         result["flaws"] = flaws
     if errors := numerical_errors(tables):

@@ -97,6 +97,10 @@ TOPICS = {
         Row("settled_cage_speed", "cage speed", ""),
         Row("settled_spin_axis_rad", "spin axis of the balls", "rad", "load-weighted mean"),
         Row(ORBIT, "orbit of the cage", "", "latest change, relative to half the play"),
+        Row("orbit", "periodic orbit", None, "settle orbit"),
+        Row("orbit_stability", "  stability", None),
+        Row("orbit_multiplier", "  left of a disturbance", "", "largest Floquet multiplier"),
+        Row("orbit_multiplier_limit", "  left of a disturbance, at most", ""),
     ),
     "Cost": (
         Row("host", "host", None),
@@ -116,6 +120,15 @@ TOPICS = {
 SHOWN = dict.fromkeys(("force_x_N", "force_y_N", "force_z_N"), 1e-2)
 STILL = dict.fromkeys(("shift_z_m", "tilt_x_rad", "tilt_y_rad"), 1e-9)  # m, rad
 STEADY = 1e-3  # fraction of the speed by which a steady speed may vary
+PERIODIC = (  # of a run with `settle orbit`
+    "orbit",
+    "orbit_passes",
+    "orbit_stability",
+    "orbit_multiplier",
+    "orbit_multiplier_error",
+    "orbit_multiplier_limit",
+    "orbit_multipliers",
+)
 
 
 def table(figures: Mapping[str, Any]) -> str:
@@ -163,7 +176,7 @@ def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
     losses = figures["losses_W"] or dict.fromkeys(LOSSES)
     flaws = figures.get("flaws", {})
     return {
-        **dict.fromkeys((*CageFigures._fields, ORBIT)),
+        **dict.fromkeys((*CageFigures._fields, ORBIT, *PERIODIC)),
         **dict.fromkeys(row.key for row in warming.ROWS),
         **result,
         **{key: why for key, why in figures["absent"].items() if key in models.HEADLINES},

@@ -8,6 +8,8 @@ import subprocess
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from raceway.sweeps import run_server
+
 PATIENCE = 20.0  # s, time given to a stopped run to write its restart file
 GLANCE = 0.2  # s, time between two checks of a log
 STOP_SIGNALS = (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1, signal.SIGKILL, signal.SIGHUP)
@@ -20,26 +22,18 @@ def execute(
     stop: int | None = None,
     keep: Sequence[int] = (),
     watch: Callable[[], object] | None = None,
+    served: bool = False,
 ) -> int | None:
     """Run the command `words`, write its output to the file `log`, and return its exit code.
 
     The run ends early if the file descriptor `stop` becomes readable, in which case None is
     returned, or if an exception is raised in this process (Ctrl-C). In both cases the program
     receives SIGTERM and has time to write its restart file. It inherits the descriptors `keep`;
-    `watch` is called a few times per second.
+    `watch` is called a few times per second. If the run is to be `served`, this process keeps a
+    server of the program, if it has one, until it ends (`run_server`).
     """
     with open(log, "wb") as output:
-        # The program has its own session, because Ctrl-C would otherwise end it before it can be
-        # stopped.
-        process = subprocess.Popen(
-            words,
-            stdin=subprocess.DEVNULL,
-            stdout=output,
-            stderr=subprocess.STDOUT,
-            pass_fds=keep,
-            start_new_session=True,
-        )
-    done = os.pidfd_open(process.pid)
+        process, done = _start(words, output, keep, served)
     try:
         ends, pause = [done, *([] if stop is None else [stop])], GLANCE if watch else None
         while not (ready := select.select(ends, [], [], pause)[0]):
@@ -56,6 +50,27 @@ def execute(
         raise
     finally:
         os.close(done)
+
+
+def _start(words, output, keep, served):
+    """Return a process and a descriptor that is readable when it has ended."""
+    if served and (server := run_server.shared(words[0])):
+        try:
+            process = server.start(words, output, keep)
+            return process, os.dup(process.done.fileno())
+        except OSError:  # the server was killed
+            server.close()
+    # The program has its own session, because Ctrl-C would otherwise end it before it can be
+    # stopped.
+    process = subprocess.Popen(
+        words,
+        stdin=subprocess.DEVNULL,
+        stdout=output,
+        stderr=subprocess.STDOUT,
+        pass_fds=keep,
+        start_new_session=True,
+    )
+    return process, os.pidfd_open(process.pid)
 
 
 def _end(process, done):

@@ -134,7 +134,7 @@ def _execute(folder, variables, command, lock, stop):
     words = [*command, "-log", "none"]
     for name, value in given.items():
         words += ["-var", name, value]
-    return execute(words, folder / "log.txt", stop=stop, keep=(lock,))
+    return execute(words, folder / "log.txt", stop=stop, keep=(lock,), served=True)
 
 
 def _figures(run):
