@@ -7,8 +7,7 @@
 // words of a command line, separated by null characters, and of file descriptors: first the output
 // of the run, then others that it keeps open. The answers are pairs of numbers: {process, 0} at the
 // start of a run, and {process, exit code} at its end, where a signal is a negative exit code.
-#ifndef RUN_SERVER_H
-#define RUN_SERVER_H
+#pragma once
 
 #include <cerrno>
 #include <cstring>
@@ -87,5 +86,3 @@ class RunServer {
     close(files[0]);
   }
 };
-
-#endif
