@@ -16,6 +16,9 @@ void usual_data(DataValues &deck)
   const double ball = deck.number("ball_diameter");
   const raceway::UsualData data = {deck.number("balls"), ball, deck.number("pitch_diameter"),
                                    deck.number("contact_angle") * degree};
+  if (!(data.pitch_diameter * std::sin(M_PI / data.balls) > ball))
+    deck.fail(bearing::text(data.balls) + " balls of " + bearing::text(ball) +
+              " m overlap on a pitch circle of " + bearing::text(data.pitch_diameter) + " m");
   if (deck.number("contact_angle") != 0.0)
     deck.zero("clearance", "it follows from the contact angle");
   deck.suggest("inner_groove", deck.number("inner_conformity") * ball);

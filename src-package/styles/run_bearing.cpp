@@ -13,6 +13,7 @@
 #include "fixes.h"
 #include "named_bearing.h"
 #include "output.h"
+#include "pair_bearing_hertz.h"
 #include "simulated_time.h"
 
 #include <algorithm>
@@ -80,6 +81,7 @@ void RunBearing::command(int narg, char **arg)
   read(args);
   take_usual();
   if (domain->box_exist == 0) args.fail("there is no box yet, and therefore no bearing");
+  check_moved(args);
   for (const FixBearingRecord *f : bearing::fixes_of<FixBearingRecord>(lmp))
     if (f->samples_a_pass() > 0.0 && !f->waits())
       args.fail(bearing::name_of(*f) + " has been measured already: start another record");
@@ -97,6 +99,24 @@ void RunBearing::command(int narg, char **arg)
   input->one(("unfix " + std::string(FixBearingRun::fixed_id)).c_str());
   input->one(("uncompute " + total_id).c_str());
   check_balance();
+}
+
+// Stops with an error if there is a ball whose motion no fix integrates.
+void RunBearing::check_moved(const Arguments &args)
+{
+  const PairBearingHertz *pair = PairBearingHertz::find(lmp, command_name);
+  double first = HUGE_VAL;    // its atom number
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!pair->coefficients().is_ball(atom->type[i])) continue;
+    bool moved = false;
+    for (int k = 0; k < modify->nfix && !moved; ++k)
+      moved = modify->fix[k]->time_integrate && (atom->mask[i] & modify->fix[k]->groupbit);
+    if (!moved) first = std::min(first, static_cast<double>(atom->tag[i]));
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_DOUBLE, MPI_MIN, world);
+  if (first < HUGE_VAL)
+    args.fail("no fix moves ball " + digits(first) +
+              ": its group needs fix bearing/implicit, bearing/verlet or nve/sphere");
 }
 
 bool RunBearing::implicit() const { return !bearing::fixes_of<FixBearingImplicit>(lmp).empty(); }

@@ -38,6 +38,7 @@ class RunBearing : public bearing::CommandBase {
   };
   void read(class bearing::Arguments &);
   std::string words() const;
+  void check_moved(const class bearing::Arguments &);
   bool implicit() const;
   void take_usual();
   void plan();

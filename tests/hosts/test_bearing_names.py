@@ -67,6 +67,7 @@ def test_numbers(tmp_path, case):
         ({"contact_angle": "20"}, "contact_angle is 20, must be 0"),
         ({"bearing": "7208", "clearance": "1e-5"}, "clearance is 1e-05, must be from 0 to 0"),
         ({"ball_diameter": "12"}, "ball_diameter (m) is 12, must be from 0.0001 to 0.3"),
+        ({"bearing": "6210", "balls": "20"}, "20 balls of 0.0127 m overlap on a pitch circle of"),
         ({"cage": "maybe"}, "cage is 'maybe', must be one of auto, yes, no"),
     ],
     ids=lambda value: "" if isinstance(value, str) else "-".join(value),

@@ -96,6 +96,16 @@ def test_cage_that_falls_inwards(tmp_path, mover, gap, weight, ends):
 
 
 @pytest.mark.parametrize("host", EVERYWHERE)
+def test_balls_that_no_fix_moves(tmp_path, host):
+    deck = BEARING.replace(
+        "fix move bearing bearing/implicit", "fix i inner bearing/ring spin speed 9"
+    )
+    end = outcome(tmp_path, deck + "run_bearing settle 1 passes 1\n", host)
+    assert end.code != 0
+    assert "run_bearing: no fix moves ball 1: its group needs" in end.error, end.text
+
+
+@pytest.mark.parametrize("host", EVERYWHERE)
 def test_types_that_no_pair_coeff_names(tmp_path, host):
     """There is a single warning for all atoms, even if a second run follows. It is an error
     under `fix bearing/implicit`."""
