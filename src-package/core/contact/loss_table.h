@@ -11,7 +11,7 @@
 namespace raceway {
 
 // Maximum number of loss columns; loss_table.cpp asserts that it is sufficient.
-constexpr int most_loss_columns = 16;
+constexpr int most_loss_columns = 8;
 
 // Power dissipated in each loss column, W.
 struct LossPowers {
