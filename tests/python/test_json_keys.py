@@ -21,6 +21,7 @@ PLAIN = set(
     """passes load_parameter lambda lambda_inner lambda_outer permittivity loaded_balls
     loaded_balls_mean real_time_factor
     evaluations asperity_share settled_torque settled_load settled_cage_speed settled_cage_orbit
+    remaining_torque remaining_load remaining_cage_speed
     cage_slip slip ridge
     static_safety viscosity_ratio life_factor film_factor gyroscopic_friction plates_factor
     metallic_contacts metallic_share samples bearing_voltage_ratio bearing_voltage_ratio_min

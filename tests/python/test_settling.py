@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The changes that remain after a run are estimated from the means over its ball passes
-(settling_rest.h)."""
+"""The changes between the last two ball passes of a run, and those that remain, estimated from the
+means over its ball passes (settling.h, settling_rest.h)."""
 
 import numpy as np
 import pytest
@@ -45,11 +45,14 @@ def test_a_settled_bearing_with_ripple_does_not_change():
 @pytest.mark.parametrize("drift", [-0.02, 1e-3, 0.3])
 def test_the_change_between_two_ball_passes_is_taken_to_remain(drift):
     found = library().call("settling", **scene(drift=drift, turn=0.01))
-    assert found.torque == pytest.approx(abs(drift) / (1 + drift), rel=1e-9)
-    # the larger of the two changes
-    assert found.load == pytest.approx(abs(drift) / (1 + drift), rel=1e-9)
-    assert found.cage_speed == pytest.approx(abs(1 - (1 + drift) ** -2), rel=1e-9)
-    assert found.spin_axis == pytest.approx(2 * np.sin(0.005), rel=1e-9)
+    for kind in ("", "remaining_"):
+        change = {name: getattr(found, kind + name) for name in ("torque", "load", "cage_speed")}
+        assert change["torque"] == pytest.approx(abs(drift) / (1 + drift), rel=1e-9)
+        # the larger of the two changes
+        assert change["load"] == pytest.approx(abs(drift) / (1 + drift), rel=1e-9)
+        assert change["cage_speed"] == pytest.approx(abs(1 - (1 + drift) ** -2), rel=1e-9)
+        axis = getattr(found, kind + "spin_axis")
+        assert axis == pytest.approx(2 * np.sin(0.005), rel=1e-9)
     assert found.cage_orbit == pytest.approx(0.5 * abs(drift), rel=1e-9)  # not relative
 
 
@@ -60,7 +63,9 @@ def test_a_decay_has_its_rest(passes, ratio):
     excess = 0.1 * ratio ** np.arange(passes)
     words["torque"] = np.repeat(1 + excess, words["samples"])
     found = library().call("settling", **words)
-    assert found.torque == pytest.approx(excess[-1] / (1 + excess[-1]), rel=1e-6)
+    assert found.remaining_torque == pytest.approx(excess[-1] / (1 + excess[-1]), rel=1e-6)
+    last = (excess[-2] - excess[-1]) / (1 + excess[-1])
+    assert found.torque == pytest.approx(last, rel=1e-6)
 
 
 @pytest.mark.parametrize("passes", [3, 4])
@@ -70,7 +75,8 @@ def test_a_drift_is_taken_to_continue_for_some_ball_passes(passes):
     words["torque"] = np.repeat(1 + 1e-3 * np.arange(passes), words["samples"])
     found = library().call("settling", **words)
     last = 1 + 1e-3 * (passes - 1)
-    assert found.torque == pytest.approx((passes - 2) * 1e-3 / last, rel=1e-6)
+    assert found.torque == pytest.approx(1e-3 / last, rel=1e-6)
+    assert found.remaining_torque == pytest.approx((passes - 2) * 1e-3 / last, rel=1e-6)
 
 
 def test_one_ball_pass_does_not_say():

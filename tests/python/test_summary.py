@@ -25,6 +25,7 @@ force_y_N force_z_N moment_x_N_m moment_y_N_m shift_z_m tilt_x_rad tilt_y_rad rp
 rpm_least rpm_most rpm_top
 friction_torque_N_m power_loss_W losses_W torque_skf_N_m torque_palmgren_N_m asperity_share
 settled_torque settled_load settled_cage_speed settled_spin_axis_rad
+remaining_torque remaining_load remaining_cage_speed remaining_spin_axis_rad
 equivalent_load_N dynamic_rating_N life_reference_Mrev life_reference_h
 absent warnings model_ranges""".split()
 WORDS = ("bearing", "lubricant", "host", "integrator", "models")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exports the settling of a recorded run (settling_rest.h).
+// Exports the settling of a recorded run (settling.h, settling_rest.h).
 #include "../figures/settling_rest.h"
 #include "exports.h"
 
@@ -8,10 +8,12 @@
 using bearing::SettlingSample;
 using raceway::Vec3;
 
-RECORD(SettlingOfRun, double torque, load, cage_speed, spin_axis, cage_orbit;)
+RECORD(SettlingOfRun, double torque, load, cage_speed, spin_axis, cage_orbit, remaining_torque,
+       remaining_load, remaining_cage_speed, remaining_spin_axis;)
 
-// Estimates the changes that remain after the last of `passes` ball passes of `samples` samples
-// each. The input contains the friction torque, the largest load on each raceway, the cage speed
+// Computes the changes between the last two of `passes` ball passes of `samples` samples each, and
+// estimates the changes that remain after the last one. The change of a cage's orbit is that
+// between the last two quarters of the ball passes, if there are at least four. The input contains the friction torque, the largest load on each raceway, the cage speed
 // and the orbit of a one-piece cage (as a fraction of half the play) for every sample, and the
 // load, the position relative to the bearing's centre and the spin for every sample and ball,
 // with z along the bearing's axis. From n steps between ball passes, a decay by less than 1/n per
@@ -33,7 +35,11 @@ EXPORT(void, settling,
       s.ball(ball_load[b], Vec3::from(place + 3 * b), Vec3::from(spin + 3 * b), {0.0, 0.0, 1.0});
     means[static_cast<size_t>(k / samples)].add(s, 1.0 / samples);
   }
-  const bearing::SettlingChanges c =
-      bearing::settling_rest(means, 1.0 - 1.0 / std::max(1, passes - 1));
-  *out = {c.torque, c.load, c.cage_speed, c.spin_axis, c.cage_orbit};
+  bearing::Settling last(1);
+  for (const SettlingSample &pass : means) last.add(pass);
+  const bearing::SettlingChanges c = last.changes(),
+                                 rest = bearing::settling_rest(means,
+                                                               1.0 - 1.0 / std::max(1, passes - 1));
+  *out = {c.torque,    c.load,    c.cage_speed,    c.spin_axis,   rest.cage_orbit,
+          rest.torque, rest.load, rest.cage_speed, rest.spin_axis};
 }

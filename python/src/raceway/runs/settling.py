@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Settling of a run: the changes that remain after its last ball pass."""
+"""Settling of a run: its latest changes, and those that remain after its last ball pass."""
 
 import math
 
@@ -17,21 +17,26 @@ KEYS = {
     "load": "settled_load",
     "cage_speed": "settled_cage_speed",
     "spin_axis": "settled_spin_axis_rad",
+    "remaining_torque": "remaining_torque",
+    "remaining_load": "remaining_load",
+    "remaining_cage_speed": "remaining_cage_speed",
+    "remaining_spin_axis": "remaining_spin_axis_rad",
 }
 ORBIT = "settled_cage_orbit"  # only for a run with a one-piece cage
 MOST = 20  # ball passes that are compared, at most
 
 
 def settling(tables: RunTables) -> dict[str, float | None]:
-    """Return the changes that remain after the last ball pass of the window, estimated from the
-    means over its ball passes, or over its two halves if it has fewer than two passes.
+    """Return the changes between the last two ball passes of the window, or between its two halves
+    if it has fewer than two passes (`settled_...`), and estimates of the changes that remain after
+    the last ball pass (`remaining_...`).
 
     They are the relative changes of the mean friction torque, of the largest load on either raceway
-    and of the cage speed, `settled_spin_axis_rad`, the angle by which the load-weighted mean spin
-    axis of the balls still turns, and, with a one-piece cage, `settled_cage_orbit`, the latest
-    change of its mean distance from the axis as a fraction of half the play. A change is None if
-    the run has not recorded the quantity, or if the speed of the rings changes. The formulas are in
-    `src-package/core/figures/settling_rest.h`.
+    and of the cage speed, the angle (rad) by which the load-weighted mean spin axis of the balls
+    turns, and, with a one-piece cage, `settled_cage_orbit`, the latest change of its mean distance
+    from the axis as a fraction of half the play. A change is None if the run has not recorded the
+    quantity, or if the speed of the rings changes. The formulas are in
+    `src-package/core/figures/settling.h` and `settling_rest.h`.
     """
     result: dict[str, float | None] = dict.fromkeys(KEYS.values())
     first, last = max(tables.first, 1), tables.last
@@ -64,7 +69,7 @@ def settling(tables: RunTables) -> dict[str, float | None]:
         value = getattr(found, field)
         result[key] = float(value) if math.isfinite(value) else None
     if not balls["load"].size:
-        result["settled_spin_axis_rad"] = None
+        result["settled_spin_axis_rad"] = result["remaining_spin_axis_rad"] = None
     if orbit.size:
         result[ORBIT] = float(found.cage_orbit)
     return result
