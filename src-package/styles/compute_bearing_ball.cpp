@@ -37,7 +37,7 @@ ComputeBearingBall::ComputeBearingBall(BRG_COMPUTE_ARGS) :
                 "outer_ before it: " +
                 bearing::contact_column_names());
     if (a->needs_film() && !pair_->coefficients().lubricated())
-      args.fail("attribute '" + name + "' needs a lubricant: use pair_style bearing/ehd");
+      args.fail("attribute '" + name + "' " + bearing::needs_lubricant);
     columns_.push_back({-1, is_inner, a});
     needed_.push_back(a);
   } while (args.more());

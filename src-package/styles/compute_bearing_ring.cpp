@@ -53,7 +53,7 @@ ComputeBearingRing::ComputeBearingRing(BRG_COMPUTE_ARGS) :
     }
     const Figure *f = columns_.back().figure;
     if (f && f->needs != Needs::nothing && !pair_->coefficients().lubricated())
-      args.fail("value '" + name + "' needs a lubricant: use pair_style bearing/ehd");
+      args.fail("value '" + name + "' " + bearing::needs_lubricant);
   } while (args.more());
   local_flag = 1;
   size_local_rows = 0;

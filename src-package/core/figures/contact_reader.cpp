@@ -23,7 +23,7 @@ void select_columns(const Arguments &args, const std::string &name, const Offer 
   if (!c)
     args.fail("unknown attribute '" + name + "'; known: all, usual, " + contact_column_names());
   if (c->needs_film() && !offer.film)
-    args.fail("attribute '" + name + "' needs a lubricant: use pair_style bearing/ehd");
+    args.fail("attribute '" + name + "' " + needs_lubricant);
   list.push_back(c);
 }
 

@@ -18,6 +18,9 @@ struct Offer {
   bool gives(const ContactColumn &) const;
 };
 
+constexpr const char *needs_lubricant =
+    "needs a lubricant: use pair_style bearing with an oil, or bearing/ehd";
+
 // Adds the column `name`, or the available columns from the set `all` or `usual`. Stops with an
 // error if the name is unknown, or if the bearing is dry and the column needs a lubricant.
 void select_columns(const Arguments &, const std::string &name, const Offer &, ContactSelection &);
