@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Derives variables from the given data of a bearing or an oil.
+#include "../core/geometry/cage_ring.h"
 #include "../core/geometry/gothic_arch.h"
 #include "../core/geometry/usual_data.h"
 #include "../core/laws/oil_data.h"
@@ -25,6 +26,7 @@ void usual_data(DataValues &deck)
   deck.suggest("outer_groove", deck.number("outer_conformity") * ball);
   deck.suggest("inner_radius", data.inner_radius(deck.number("inner_conformity") * ball));
   deck.suggest("outer_radius", data.outer_radius(deck.number("outer_conformity") * ball));
+  deck.suggest("pocket_play", raceway::usual_play * ball);
   deck.suggest("cage_ball_diameter", data.cage_ball_diameter(deck.number("pocket_play")));
   const raceway::RingCylinder ring = {
       deck.number("bore_diameter"), deck.number("bearing_width"),

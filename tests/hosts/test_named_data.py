@@ -3,6 +3,7 @@
 data, rows of a table, a user's files, and oils at a given temperature."""
 
 import math
+import re
 
 import pytest
 import raceway
@@ -88,6 +89,17 @@ def test_what_is_given_stays(tmp_path):
     assert float(given["inner_inertia"]) == pytest.approx(
         share * float(own["inner_inertia"]), rel=1e-14
     )
+
+
+def test_usual_play_of_a_pocket(tmp_path):
+    """A file without this play, which makers do not state, has that of a cage ring."""
+    file = tmp_path / "own"
+    text = (BEARINGS / "7208").read_text()
+    file.write_text(re.sub("^variable pocket_play .*\n", "", text, flags=re.M))
+    play = 0.025 * inputs.bearing(BEARINGS / "7208").ball_diameter
+    own = told(tmp_path, ["cage_ball_diameter"], bearing=file)
+    given = told(tmp_path, ["cage_ball_diameter"], bearing="7208", pocket_play=play)
+    assert own == given
 
 
 @pytest.mark.parametrize("name", ["6210", "7205B", "7010AC"])

@@ -22,8 +22,7 @@ void select_columns(const Arguments &args, const std::string &name, const Offer 
   const ContactColumn *c = find_contact_column(name);
   if (!c)
     args.fail("unknown attribute '" + name + "'; known: all, usual, " + contact_column_names());
-  if (c->needs_film() && !offer.film)
-    args.fail("attribute '" + name + "' " + needs_lubricant);
+  if (c->needs_film() && !offer.film) args.fail("attribute '" + name + "' " + needs_lubricant);
   list.push_back(c);
 }
 

@@ -210,7 +210,8 @@ const std::vector<DeckVariable> &deck_variables()
       {"outer_conformity", "", "", "0.5 10", "usual data",
        "groove radius of the outer ring divided by the ball diameter"},
       {"pocket_play", "", "m", "0 0.1", "usual data",
-       "play of a ball in its pocket along the pitch circle"},
+       "play of a ball in its pocket along the pitch circle; the default is 2.5 % of the ball's "
+       "diameter"},
       {"bore_diameter", "", "m", "1.0e-4 20", "usual data", "bore of the inner ring"},
       {"bearing_width", "", "m", "1.0e-4 3", "usual data", "width of the rings"},
       // Oils. The defaults are those of mineral oils. The effects were determined for a 6208 with
