@@ -13,12 +13,13 @@ RECORD(SettlingOfRun, double torque, load, cage_speed, spin_axis, cage_orbit, re
 
 // Computes the changes between the last two of `passes` ball passes of `samples` samples each, and
 // estimates the changes that remain after the last one. The change of a cage's orbit is that
-// between the last two quarters of the ball passes, if there are at least four. The input contains the friction torque, the largest load on each raceway, the cage speed
-// and the orbit of a one-piece cage (as a fraction of half the play) for every sample, and the
-// load, the position relative to the bearing's centre and the spin for every sample and ball,
-// with z along the bearing's axis. From n steps between ball passes, a decay by less than 1/n per
-// ball pass cannot be distinguished from a constant drift. If there are fewer than two ball
-// passes, the changes are infinite.
+// between the last two quarters of the ball passes, if there are at least four. The input contains
+// the friction torque, the largest load on each raceway, the cage speed and the orbit of a
+// one-piece cage (as a fraction of half the play) for every sample, and the load, the position
+// relative to the bearing's centre and the spin for every sample and ball, with z along the
+// bearing's axis. From n steps between ball passes, a decay by less than 1/n per ball pass cannot
+// be distinguished from a constant drift. If there are fewer than two ball passes, the changes are
+// infinite.
 EXPORT(void, settling,
        (int passes, int samples, int balls, const double *torque, const double *load,
         const double *cage_speed, const double *cage_orbit, const double *ball_load,
