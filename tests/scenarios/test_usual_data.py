@@ -148,7 +148,7 @@ def test_contradictions(tmp_path, words, says):
     assert failed.code != 0 and says in failed.error, failed.error
 
 
-@pytest.mark.parametrize("key", sorted(USUAL))
+@pytest.mark.parametrize("key", sorted(set(USUAL) - {"pocket_play"}))  # this has a usual value
 def test_missing_number(tmp_path, key):
     own = folder(tmp_path, {name: value for name, value in USUAL.items() if name != key})
     failed = run("inputs/in.6208", out=tmp_path / "run", inputs=own, bearing="mine")
