@@ -31,7 +31,7 @@ class CageRing(NamedTuple):
 
 
 class Resistance(NamedTuple):
-    """What the oil at the cage of one row resists."""
+    """Resistance of the oil to the motion of the cage of one row."""
 
     # N m s, couple of one pocket divided by the ball's rotation relative to the cage; twice this
     # for the rotation about the axis of the pocket

@@ -74,8 +74,8 @@ class Motion(NamedTuple):
 
 
 class _Touch(NamedTuple):
-    """Contacts of balls: geometry, loads, motions relative to the raceway, and what resists
-    them."""
+    """Contacts of balls: geometry, loads, motions relative to the raceway, and the forces and
+    couples that resist these motions."""
 
     cosine: Floats  # components along u and e of the direction from ball to raceway
     sine: Floats

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Stages of fix bearing/heat from one ball pass to the next, and the jumps of the temperatures.
+#include "../core/settings/arguments.h"
+#include "fix_bearing_heat.h"
+#include "fixes.h"
+#include "named_bearing.h"
+#include "print_line.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+using namespace raceway;
+using bearing::text;
+namespace of = bearing::of_fix_heat;
+
+// number of ball passes after the load ramp before losses are averaged
+static constexpr double passes_at_first = 2.0;
+
+void FixBearingHeat::enter(Stage stage)
+{
+  now_.stage = stage;
+  now_.since = 0.0;
+  now_.sum = {};
+  now_.summed = 0.0;
+}
+
+void FixBearingHeat::end_of_step()
+{
+  now_.since += update->dt;
+  now_.run += update->dt;
+  const double nearly = pass_ * (1.0 - 1e-9) - 0.5 * update->dt;
+  switch (static_cast<int>(now_.stage)) {
+    case WAIT:
+      if (now_.since >= ramp_ + passes_at_first * pass_) enter(WATCH);
+      break;
+    case RAMP:
+      if (now_.since >= nearly) enter(WATCH);
+      break;
+    case LAST:
+      if (now_.since >= nearly) enter(STAY);
+      break;
+    case WATCH:
+      if (update->ntimestep % stride_ == 0) {
+        const double dt = stride_ * update->dt;
+        const HeatPass p = losses();
+        for (int k = 0; k < heat_inputs; ++k) now_.sum.heat[k] += dt * p.heat[k];
+        now_.sum.inner += dt * p.inner;
+        now_.sum.outer += dt * p.outer;
+        now_.summed += dt;
+      }
+      if (now_.since >= nearly && now_.summed > 0.0) now_.stage = READY;
+      break;
+    default: break;
+  }
+  const auto ready = [](const FixBearingHeat *f) { return f->now_.stage == READY; };
+  if (std::all_of(together_.begin(), together_.end(), ready)) jump_together(together_);
+}
+
+// Returns the mean values of the last ball pass.
+HeatPass FixBearingHeat::mean_pass() const
+{
+  HeatPass seen = now_.sum;
+  const double share = 1.0 / now_.summed;
+  for (double &one : seen.heat) one *= share;
+  seen.inner *= share;
+  seen.outer *= share;
+  seen.convection = convection();
+  return seen;
+}
+
+// Lets the temperatures of all bearings jump by the same time, the shortest that any of them
+// permits, so that they share one thermal clock. They continue until all of them are steady.
+void FixBearingHeat::jump_together(const std::vector<FixBearingHeat *> &bearings)
+{
+  double length = 0.0, steady = bearings.front()->control_.steady;
+  const auto tried = [](const FixBearingHeat *f, const HeatControl &c) {
+    HeatState s = f->now_.heat;
+    heat_jump(s, f->mean_pass(), f->network_, c);
+    return s;
+  };
+  const auto ends = [&](const FixBearingHeat *f) { return tried(f, f->control_).end != 0.0; };
+  if (bearings.size() > 1 && !std::all_of(bearings.begin(), bearings.end(), ends)) {
+    steady = -1.0;
+    for (const FixBearingHeat *f : bearings) {
+      HeatControl c = f->control_;
+      c.steady = steady;
+      const double own = tried(f, c).length;
+      if (own > 0.0) length = length > 0.0 ? std::min(length, own) : own;
+    }
+  }
+  for (FixBearingHeat *f : bearings) {
+    HeatControl c = f->control_;
+    c.steady = steady;
+    c.length = length;
+    f->jump(c);
+  }
+}
+
+// Lets the temperatures jump according to the mean losses during the last ball pass.
+void FixBearingHeat::jump(const HeatControl &control)
+{
+  const HeatPass seen = mean_pass();
+  HeatState &heat = now_.heat;
+  now_.jump = heat.length;
+  heat_jump(heat, seen, network_, control);
+  for (int k = 0; k < parts; ++k) {
+    now_.from[k] = now_.to[k];
+    now_.to[k] = heat.law[k];
+  }
+  now_.oil = heat.oil();
+  apply_ = true;
+  const HeatEnd end = static_cast<HeatEnd>(static_cast<int>(heat.end));
+  enter(end == HeatEnd::none ? RAMP : LAST);
+  Row row;
+  for (int k = 0; k < of::N; ++k) row[k] = value(k);
+  rows_.push_back(row);
+  now_.rows = static_cast<double>(rows_.size());
+  write_row(row);
+  say(seen.power());
+  const std::string at = bearing::name_of(*this) + ": bearing " + bearing_->name + " at " +
+                         text(heat.time) + " s: inner ring " + text(heat.at[0]) + ", balls " +
+                         text(heat.at[1]) + ", outer ring " + text(heat.at[2]) + " C, losses " +
+                         text(seen.power()) + " W";
+  if (end == HeatEnd::seizes)
+    BRG_ALL(at + ": it seizes. Losses grow with temperature " + text(heat.gain) +
+            " times as fast as cooling: thermal runaway. Improve the cooling, or increase the "
+            "clearance");
+  if (end == HeatEnd::hot)
+    BRG_ALL(at + ": hotter than " + text(control_.hottest) + " C. Improve cooling");
+}
+
+void FixBearingHeat::say(double power) const
+{
+  const HeatState &h = now_.heat;
+  char line[160];
+  snprintf(line, sizeof line,
+           "Thermal time %.6g s: inner ring %.2f, balls %.2f, outer ring %.2f, housing %.2f C, "
+           "losses %.4g W, gain %.2f",
+           h.time, h.at[0], h.at[1], h.at[2], h.at[3], power, h.gain);
+  bearing::print_line(lmp, line);
+}
