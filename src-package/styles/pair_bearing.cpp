@@ -6,6 +6,7 @@
 #include "../core/settings/written.h"
 #include "../deck/find_data.h"
 #include "derive_laws.h"
+#include "fix_bearing_cage_ring.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "named_bearing.h"
@@ -228,6 +229,7 @@ void PairBearing::resolve(Coeff &of)
 // differ from the speed with which they were created or turned before.
 void PairBearing::init_style()
 {
+  cool();
   for (Coeff &c : coeffs_) {
     const NamedBearing *b = bearing::find_bearing(lmp, c.bearing);
     if (c.speed_given || !b) continue;
@@ -237,6 +239,20 @@ void PairBearing::init_style()
     resolve(c);
   }
   PairBearingHertz::init_style();
+}
+
+// Sets the temperature of every oil to that given in the deck. Fixes that heat bearings set theirs
+// afterwards; a fix may have been deleted since the last run.
+void PairBearing::cool()
+{
+  for (Coeff &c : coeffs_) {
+    if (!c.warm) continue;
+    c.warm = false;
+    c.data = read_oil(Arguments(lmp, "pair_coeff * * " + c.bearing, {}), c.oil, c.temperature);
+    resolve(c);
+    for (FixBearingCageRing *f : bearing::fixes_of<FixBearingCageRing>(lmp))
+      f->set_viscosity(c.bearing, std::atof(c.data.at("viscosity").c_str()));
+  }
 }
 
 // Returns the speed (rad/s) of all rings of this type in the next run. It is NAN if they turn at
@@ -308,7 +324,10 @@ bool PairBearing::oil_follows(const std::string &name) const
 void PairBearing::set_oil_temperature(const Arguments &args, const std::string &name, double t)
 {
   for (Coeff &c : coeffs_) {
-    if (c.bearing == name) c.data = read_oil(args, c.oil, t);
+    if (c.bearing == name) {
+      c.data = read_oil(args, c.oil, t);
+      c.warm = true;
+    }
     resolve(c);
   }
   const std::string wrong = coefficients().prepare_again();

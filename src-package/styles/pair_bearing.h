@@ -59,6 +59,7 @@ class PairBearing : public PairBearingHertz {
     std::string bearing;
     std::string oil;           // name of the oil
     double temperature;        // C
+    bool warm = false;         // true if a fix has set another temperature
     bearing::OilWords data;    // data of the oil
     std::string law;           // further keywords of the raceways
     bool printed = false;      // `spheres printed`, applied to balls and cage balls
@@ -73,6 +74,7 @@ class PairBearing : public PairBearingHertz {
   };
   bearing::OilWords read_oil(const bearing::Arguments &, const std::string &name, double t);
   void resolve(Coeff &);
+  void cool();
   double ring_speed(int ring_type) const;
 
   std::string oil_name_, more_;    // more_: further keywords

@@ -3,6 +3,7 @@
 bearings are defined."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -106,3 +107,25 @@ run_bearing settle 0 passes 1
     inner, outer, diameter, balls = 24e-3, 36.605e-3, 12.6e-3, 9
     deep_groove = 4 * math.pi / (balls * 200 * (1 - diameter / (inner + outer)))
     assert passes == pytest.approx([deep_groove] * 2, rel=1e-9)
+
+
+@pytest.mark.parametrize("cage", ["cage", "ring"])
+def test_after_a_heated_run(tmp_path, cage):
+    """If fix bearing/heat is deleted between two runs, the second run is that of a bearing that is
+    not heated: it is the same as in a deck that never had this fix, from the same state."""
+    cold = DECK.format(speed=800, load=2000, heat="")
+    if cage == "ring":
+        cold = cold.replace("clearance 1.0e-5", "clearance 1.0e-5 cage ring")
+        cold = cold.replace("rails cage bearing/cage b", "rails cage bearing/cage/ring b")
+    warm = cold + HEAT + "\ntimestep 2e-5\nrun 700\nunfix heat\n"
+    warm += "write_restart ${out}/half\nrun 100\n"
+    (tmp_path / "warm").mkdir()
+    succeed(deck_file(tmp_path, warm + LAST), out=tmp_path / "warm")
+    again = re.sub(r"(boundary|region|create_box) .*\n", "", cold)
+    again = again.replace("neighbor ", f"read_restart {tmp_path}/warm/half\nneighbor ", 1)
+    (tmp_path / "again").mkdir()
+    succeed(
+        deck_file(tmp_path, again + "timestep 2e-5\nrun 800 upto\n" + LAST), out=tmp_path / "again"
+    )
+    warm, again = (frames(tmp_path / name / "last.dump") for name in ("warm", "again"))
+    assert warm == again
