@@ -60,7 +60,8 @@ def own_ambients(folder, **variables):
     """Run a deck in which bearing b is surrounded by warmer air than bearing a, whose table has the
     name that summaries read, and return the summary of each bearing."""
     text = (ROOT / DECK).read_text()
-    for old, new in (("/a.txt", "/heat.txt"), ("bearing/heat heat", "bearing/heat ambient 45 heat")):
+    ambient = "bearing/heat ambient 45 heat"
+    for old, new in (("/a.txt", "/heat.txt"), ("bearing/heat heat", ambient)):
         assert old in text
         text = text.replace(old, new)
     succeed(deck_file(folder, text), out=folder, until_a=20, until_b=20, **variables)
