@@ -89,8 +89,8 @@ std::string variables_of(LAMMPS *lmp, double within)
   return list;
 }
 
-// Returns the data of a bearing and its oil as words KEY=VALUE.
-std::string words_of(const NamedBearing &b, const PairBearing &pair)
+// Returns the data of a bearing, its oil and its heating as words KEY=VALUE.
+std::string words_of(LAMMPS *lmp, const NamedBearing &b, const PairBearing &pair)
 {
   const auto [oil, temperature] = pair.oil_of(b.name);
   std::string words = "bearing=" + b.word("bearing");
@@ -100,6 +100,8 @@ std::string words_of(const NamedBearing &b, const PairBearing &pair)
   for (const char *side : {"inner", "outer"})
     words += std::string(" ") + side + "_shoulder_diameter_m=" +
              digits(b.number_or(std::string(side) + "_shoulder_diameter", 0.0));
+  for (const FixBearingHeat *f : fixes_of<FixBearingHeat>(lmp))
+    if (!f->idle() && f->covers_type(b.balls)) words += " heat_ambient_C=" + digits(f->ambient());
   return words;
 }
 
@@ -191,7 +193,7 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
     std::string lines, numbers;    // one line per name, and the index of the line for each bearing
                                    // in the record
     for (const NamedBearing *one : list)
-      lines += (lines.empty() ? "" : "\n") + words_of(*one, *named);
+      lines += (lines.empty() ? "" : "\n") + words_of(lmp, *one, *named);
     for (const int type : ball_types(lmp, layout)) {
       const auto at = std::find(list.begin(), list.end(), bearing_of_type(lmp, type));
       numbers += (numbers.empty() ? "" : " ") + std::to_string(at - list.begin());

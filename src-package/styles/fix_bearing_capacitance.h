@@ -42,8 +42,11 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
 
   // Tags of the balls in the fix's group, on all ranks.
   std::vector<bearing::tag_t> find_members() const;
-  // Returns a request for `number` instants per step.
-  bearing::Instants instants(int number) const { return {number, model_, ask_.any()}; }
+  // Returns a request for `number` instants per step. Must be called on all ranks.
+  bearing::Instants instants(int number) const
+  {
+    return {number, model_, ask_.any(), find_members()};
+  }
   bool covers(int i) const { return atom->mask[i] & groupbit; }
   const raceway::CapacitorModel &model() const { return model_; }
   std::string said() const { return said_; }    // words of the command after N

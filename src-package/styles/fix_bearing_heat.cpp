@@ -77,6 +77,7 @@ void FixBearingHeat::init()
   find_bearing();
   check_oil();
   find_network();
+  pass_ = bearing::ball_pass_time(lmp, bearing::name_of(*this), NAN);
   pair_->add_follower(this);
   HeatState &heat = now_.heat;
   if (now_.begun == 0.0) {
@@ -204,11 +205,10 @@ double FixBearingHeat::convection() const
                         oil_datum("oil_density"), oil_datum("viscosity"), orbit, pitch);
 }
 
-// Finds the duration of a ball pass and the time until the end of the load ramp.
+// Finds the time until the end of the load ramp.
 void FixBearingHeat::setup(int)
 {
   if (idle_) return;
-  pass_ = bearing::ball_pass_time(lmp, bearing::name_of(*this), NAN);
   ramp_ = 0.0;
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp_ = std::max(ramp_, f->ramp());
@@ -236,8 +236,7 @@ void FixBearingHeat::begin_step()
   last_step_ = update->ntimestep;
   if (apply_) apply_oil();
   apply_ = false;
-  if (now_.stage == RAMP || now_.stage == LAST)
-    grow(std::min(1.0, (now_.since + update->dt) / pass_));
+  if (now_.stage == RAMP || now_.stage == LAST) grow(share_at(now_.since + update->dt));
 }
 
 // Adapts contact law and cage to the temperature of the oil, and sets the thermal expansion of the
@@ -254,10 +253,21 @@ void FixBearingHeat::apply_oil()
   for (FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp)) {
     if (f->idle_ || !f->bearing_) continue;
     const bool moves = f->now_.stage == RAMP || f->now_.stage == LAST;
-    f->grow(moves ? std::min(1.0, f->now_.since / f->pass_) : 1.0);
+    f->grow(moves ? f->share_at(f->now_.since) : 1.0);
   }
   for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) f->laws_changed();
 }
+
+// Returns true if a stage that lasts one ball pass has ended at the time `since` after it began.
+bool FixBearingHeat::passed(double since) const
+{
+  return since >= pass_ * (1.0 - 1e-9) - 0.5 * update->dt;
+}
+
+// Returns the fraction of the change of the clearance that has been made at the time `since` after
+// a ramp began. It is 1 at the last step of the ramp, even if a ball pass is not a whole number of
+// steps.
+double FixBearingHeat::share_at(double since) const { return passed(since) ? 1.0 : since / pass_; }
 
 // Sets the clearance to an intermediate value, at the fraction `share` of the way from its previous
 // value to its value at the current temperatures.

@@ -46,6 +46,9 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   // is over, or heating is switched off.
   bool still() const { return idle_ || now_.stage == STAY; }
   bool idle() const { return idle_; }
+  // Lets the temperatures change again until they are steady, because loads or speeds may have
+  // changed. If `warm_time` is given, no time is left.
+  void go_on();
   // Current temperatures (C) of the contacts, from INNER to OIL as in core/figures/fix_columns.h.
   std::array<double, 5> temperatures() const;
   bool covers_type(int ball_type) const;
@@ -82,6 +85,8 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   void check_oil();
   void apply_oil();
   void grow(double share);
+  double share_at(double since) const;
+  bool passed(double since) const;
   double value(int column) const;
   double clearance() const;
   raceway::HeatPass losses();

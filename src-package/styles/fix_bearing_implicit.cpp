@@ -127,6 +127,7 @@ void FixBearingImplicit::init()
   check_fixes();
   find_rings();
   instants_ = bearing::Instants();
+  capacitors_.clear();
   readers_.clear();
   if (pair_->coefficients().smooth_friction(creep_))
     bearing::print_line(lmp, std::string("fix ") + id +

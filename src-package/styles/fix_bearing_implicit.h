@@ -18,6 +18,7 @@ FixStyle(bearing/implicit,FixBearingImplicit)
 #define LMP_FIX_BEARING_IMPLICIT_H
 
 #include "../contacts/instants.h"
+#include "../contacts/tag_set.h"
 #include "bearing_compat.h"
 
 #include <memory>
@@ -28,6 +29,10 @@ FixStyle(bearing/implicit,FixBearingImplicit)
 
 namespace bearing {
 class Arguments;
+}
+
+namespace raceway {
+struct BearingModel;
 }
 
 namespace LAMMPS_NS {
@@ -96,7 +101,13 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
                               // known
   bool laws_changed_ = false;
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ has been set
-  bearing::Instants instants_;
+  struct Capacitors {
+    raceway::CapacitorModel model;
+    bearing::TagSet balls;
+  };
+  raceway::CapacitorModel capacitors_of(const raceway::BearingModel &) const;
+  bearing::Instants instants_;    // requested by all readers
+  std::vector<Capacitors> capacitors_;
   std::set<std::string> readers_;    // commands that have requested instants
   double largest_ = HUGE_VAL;        // s, largest substep
   double creep_ = 0.01;

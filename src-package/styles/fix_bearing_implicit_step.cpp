@@ -101,8 +101,8 @@ void FixBearingImplicit::build()
     if (!integrator) {
       integrator = std::make_unique<BearingIntegrator>(of);
       integrator->keep_energy(energy_wanted_);
-      integrator->instants().want({instants_.number, instants_.capacitor});
     }
+    integrator->instants().want({instants_.number, capacitors_of(model)});
     all.integrators.push_back(std::move(integrator));
     all.own.push_back({all.integrators.back().get(), 0.0, {}});
     kind.push_back({p, all.integrators.back().get()});

@@ -120,6 +120,15 @@ std::vector<double> FixBearingRing::imposed_spin()
   return of;
 }
 
+double FixBearingRing::constant_spin() const
+{
+  switch (settings_.program.mode[RingProgram::SPIN]) {
+    case Freedom::fixed: return 0.0;
+    case Freedom::speed: return settings_.value[RingProgram::SPIN].constant_value();
+    default: return NAN;
+  }
+}
+
 // Stops with an error if another fix moves a ring of the group.
 void FixBearingRing::refuse_another_mover()
 {

@@ -54,6 +54,8 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // Returns the currently imposed spin (rad/s), indexed by local atom. It is NAN for other atoms
   // and if no spin is imposed.
   std::vector<double> imposed_spin();
+  // Returns the imposed spin (rad/s), or NAN if it is free, differs between rings or changes.
+  double constant_spin() const;
   const bearing::StatedLoads &stated_loads() const { return settings_.stated; }
   // Returns true if the imposed loads and motions are constant after the ramp and do not depend on
   // the ring's angle.

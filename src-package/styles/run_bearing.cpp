@@ -11,7 +11,6 @@
 #include "fix_bearing_ring.h"
 #include "fix_bearing_timestep.h"
 #include "fixes.h"
-#include "named_bearing.h"
 #include "output.h"
 #include "pair_bearing_hertz.h"
 #include "simulated_time.h"
@@ -124,16 +123,12 @@ bool RunBearing::implicit() const { return !bearing::fixes_of<FixBearingImplicit
 // ---- The plan: ball pass, samples and steps. Numbers are rounded in the same way as by formulas
 // in a deck.
 
-// Takes the default values from the scene: the sampling rate of fix bearing/vibration, and the
-// nominal contact angle of named bearings.
+// Takes the default value from the scene: the sampling rate of fix bearing/vibration.
 void RunBearing::take_usual()
 {
   if (settings_.rate == 0.0)
     for (const FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
       settings_.rate = std::max(settings_.rate, f->sampling_rate());
-  if (std::isnan(settings_.angle))
-    for (const bearing::NamedBearing *b : bearing::bearings_of(lmp))
-      if (b->in_use) settings_.angle = b->number("contact_angle") + b->number("four_point");
 }
 
 void RunBearing::plan()
@@ -142,6 +137,7 @@ void RunBearing::plan()
   if (update->ntimestep != 0) begin_at_step_0(now().start);
   now().pass = bearing::ball_pass_time(lmp, command_name, settings_.angle);
   begin_search();
+  for (FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp)) f->go_on();
   double ramp = 0.0;    // s, time after which the full loads act
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp = std::max(ramp, f->ramp());

@@ -54,6 +54,8 @@ struct HeatState {
   double alarm = 0.0;     // s, thermal time of the first of these slopes
   double end = 0.0;       // value of HeatEnd
 
+  // Forgets how losses change with temperature, because the loads or speeds have changed.
+  void forget_losses() { seen = slope = gain = alarms = alarm = end = 0.0; }
   double oil() const { return oil_of(law); }
   // Returns the temperature of the oil in the contacts, C, which is assumed to be the mean
   // temperature of the surfaces wetted by the oil.
