@@ -79,8 +79,6 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   };
 
   void read_options(bearing::Arguments &);
-  void read_surroundings(bearing::Arguments &);
-  void read_outlet(bearing::Arguments &);
   std::vector<int> ball_types() const;
   void take_usual_data();
   void check_shoulders();

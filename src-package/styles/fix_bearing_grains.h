@@ -98,6 +98,8 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
     raceway::Vec3 first_moment;
   };
 
+  template <class List> static void keep(List &, Grain &);
+  template <class List> void keep_shafts(List &);
   void read_wall(bearing::Arguments &, bool drum);
   void check_step() const;
   void find_neighbours();

@@ -72,7 +72,6 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   };
   using Row = std::array<double, bearing::of_fix_heat::N>;
 
-  void read(bearing::Arguments &);
   void find_bearing();
   void find_network();
   void find_oil_flow();

@@ -37,7 +37,7 @@ static std::string quoted(const std::string &word)
 FixBearingProfile::FixBearingProfile(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   PairBearingHertz::find(lmp, "fix bearing/profile");
-  Arguments args(lmp, std::string("fix ") + id + " bearing/profile", narg, arg, 3);
+  Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   if (!args.more() && narg == 3) args.fail("a profile needs 'notch', 'wave', 'file' or 'none'");
   std::vector<std::string> said;
   settings_ = bearing::ProfileSettings::read(args, FixBearingState::max_grooves, said);

@@ -46,7 +46,7 @@ static void check_note(const Arguments &args, const char *what, const std::strin
 // [text NAME VALUE]; for NAME VALUE also NAME=VARIABLE ...
 FixBearingRecord::FixBearingRecord(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/record")),
-    command_(std::string("fix ") + id + " bearing/record")
+    command_(bearing::name_of(*this))
 {
   Arguments args(lmp, command_, narg, arg, 3);
   read_rate(args);
@@ -99,21 +99,15 @@ void FixBearingRecord::read_options(Arguments &args)
       if (motion_) continue;
       chosen = true;
       columns_.clear();
-    } else if (args.take("within")) {
-      within_ = args.integer("samples per step", waits() ? 0 : 1, 100000);
-    } else if (waits() && args.take("dumps")) {
-      dumps_ = args.choice("dumps", {"no", "yes"}) == 1;
-    } else if (args.take("single")) {
-      single_ = args.choice("single", {"no", "yes"}) == 1;
-    } else if (args.take("overwrite")) {
-      overwrite_ = args.choice("overwrite", {"no", "yes"}) == 1;
     } else if (args.take("number")) {
       read_notes(args, Note::number);
     } else if (args.take("goal")) {
       read_notes(args, Note::goal);
     } else if (args.take("text")) {
       read_notes(args, Note::text);
-    } else {
+    } else if (!(args.integer("within", within_, "samples per step", waits() ? 0 : 1, 100000) ||
+                 (waits() && args.yes("dumps", dumps_)) || args.yes("single", single_) ||
+                 args.yes("overwrite", overwrite_))) {
       args.unknown("contacts, content, within, single, overwrite, number, goal, text");
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Measures the time and the number of steps spent by a run. The clocks are stopped at the end of
 // the run, and both values are stored in restart files.
+#include "../core/numbers/number_list.h"
 #include "fix_bearing_record.h"
 #include "integrator_work.h"
 #include "record_settings.h"
@@ -87,29 +88,14 @@ void FixBearingRecord::write_restart(FILE *fp)
 {
   flush();
   if (file_) refuse(file_->file().settle());
-  const Spent spent = spent_now();
-  const double data[] = {samples_,    first_step_,       start_,
-                         last_step_,  spent.wall,        spent.processor,
-                         spent.steps, spent.evaluations, static_cast<double>(update->ntimestep)};
-  if (comm->me != 0) return;
-  const int size = sizeof data;
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(data, 1, size, fp);
+  bearing::NumberWriter list;
+  list(samples_, first_step_, start_, last_step_, spent_now(), update->ntimestep);
+  if (comm->me == 0) list.write(fp);
 }
 
 void FixBearingRecord::restart(char *buf)
 {
-  double data[9];
-  memcpy(data, buf, sizeof data);
-  samples_ = data[0];
-  first_step_ = data[1];
-  start_ = data[2];
-  last_step_ = data[3];
-  spent_.wall = data[4];
-  spent_.processor = data[5];
-  spent_.steps = data[6];
-  spent_.evaluations = data[7];
-  left_ = data[8];
+  bearing::NumberReader{buf}(samples_, first_step_, start_, last_step_, spent_, left_);
   resumed_ = samples_ > 0.0;
   allowed_ = true;    // the run that wrote the restart file was allowed to overwrite the folder
 }

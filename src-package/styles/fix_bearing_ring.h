@@ -150,8 +150,6 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
            before[RingProgram::N_DOF] = {};    // imposed values and their changes in the last two
                                                // steps
   } imposed_;
-  // number of values in a restart file
-  static constexpr size_t numbers_kept = 1 + sizeof(Imposed) / sizeof(double);
   Values now_, before_;                 // values of all rings in this step and the previous one
   std::vector<int> own_;                // indices of the values that are specified separately for
                                         // each ring

@@ -114,6 +114,7 @@ class FixBearingState : public Fix {
  private:
   static constexpr int packed_size = 2 + (2 + room) * max_grooves + 10 + 4 + 8;
 
+  template <class List> static void keep(List &, PerAtom &);
   void save_forces();
   void hold(int atoms);    // makes room for the states of as many atoms
 

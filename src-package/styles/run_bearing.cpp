@@ -34,30 +34,20 @@ void RunBearing::read(Arguments &args)
 {
   Settings &to = settings_;
   bool settles = false;
-  while (args.more()) {
+  while (args.more())
     if (args.take("settle")) {
       to.orbit = args.take("orbit");
       to.automatic = to.orbit || args.take("auto");
       if (!to.automatic) to.settle = args.within("ball passes to settle", 0.0, 1e6);
       settles = true;
-    } else if (args.take("passes")) {
-      to.passes = args.number_of("passes");
-    } else if (args.take("step")) {
-      to.step = args.number_of("step");
-    } else if (args.take("safety")) {
-      to.safety = args.number_of("safety");
-    } else if (args.take("settled")) {
-      to.settled = args.number_of("settled");
-    } else if (args.take("limit")) {
-      to.limit = args.integer("ball passes to settle in", 2, 1000000);
-    } else if (args.take("rate")) {
-      to.rate = args.within("samples per second (Hz)", 1e3, 1e8);
-    } else if (args.take("angle")) {
-      to.angle = args.within("contact angle (degrees)", 0.0, 60.0);
-    } else {
-      args.unknown("settle, passes, step, safety, rate, angle, settled, limit");
+    } else if (!(args.variable("passes", to.passes) || args.variable("step", to.step) ||
+                 args.variable("safety", to.safety) ||
+                 args.within("rate", to.rate, "samples per second (Hz)", 1e3, 1e8) ||
+                 args.within("angle", to.angle, "contact angle (degrees)", 0.0, 60.0) ||
+                 args.variable("settled", to.settled) ||
+                 args.integer("limit", to.limit, "ball passes to settle in", 2, 1000000))) {
+      args.unknown();
     }
-  }
   if (!settles)
     args.fail("'settle N', 'settle auto' or 'settle orbit' is missing (ball passes before the "
               "measurement)");

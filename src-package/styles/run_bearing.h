@@ -29,7 +29,7 @@ class RunBearing : public bearing::CommandBase {
     bool orbit = false;                   // settle on the orbit if there is one
     double settled = 1e-2;                // remaining relative change below which the bearing
                                           // counts as settled
-    double limit = 100.0;                 // maximum number of ball passes while settling
+    int limit = 100;                      // maximum number of ball passes while settling
     double step = 0.0;                    // s; 0 to choose the step automatically
     double safety = 0.3;                  // fraction of the stability limit
     double rate = 0.0;                    // Hz, sampling rate; 0 to use that of the records

@@ -52,6 +52,38 @@ class Arguments {
   std::string value_of(const char *variable);
   double number_of(const char *variable);
   int choice(const std::string &what, const std::vector<std::string> &allowed);
+  // Options: each of these reads `keyword` and its value if that keyword is the next word, and
+  // returns whether it is.
+  bool word(const char *keyword, std::string &to, const std::string &what)
+  {
+    return take(keyword) && set(to, word(what));
+  }
+  bool number(const char *keyword, double &to, const std::string &what)
+  {
+    return take(keyword) && set(to, number(what));
+  }
+  bool positive(const char *keyword, double &to, const std::string &what)
+  {
+    return take(keyword) && set(to, positive(what));
+  }
+  bool non_negative(const char *keyword, double &to, const std::string &what)
+  {
+    return take(keyword) && set(to, non_negative(what));
+  }
+  bool within(const char *keyword, double &to, const std::string &what, double lo, double hi)
+  {
+    return take(keyword) && set(to, within(what, lo, hi));
+  }
+  bool integer(const char *keyword, int &to, const std::string &what, int lo, int hi)
+  {
+    return take(keyword) && set(to, integer(what, lo, hi));
+  }
+  bool yes(const char *keyword, bool &to)    // `keyword yes` or `keyword no`
+  {
+    return take(keyword) && set(to, choice(keyword, {"no", "yes"}) == 1);
+  }
+  bool variable(const char *name, double &to) { return take(name) && set(to, number_of(name)); }
+  bool variable(const char *name, std::string &to) { return take(name) && set(to, value_of(name)); }
   void skip_rest() { next_ = words_.size(); }
   // Stops with an error: the next word is none of the keywords that take() has looked for there, or
   // none of the `allowed` ones.
@@ -71,6 +103,11 @@ class Arguments {
   size_t asked_at_ = 0;    // index of that word
 
   void take_variables();
+  template <class T> static bool set(T &to, const T &value)
+  {
+    to = value;
+    return true;
+  }
 };
 
 }    // namespace bearing

@@ -2,9 +2,8 @@
 // Settings of a one-piece cage, as given in a deck.
 #pragma once
 
-#include "../bodies/ring_program.h"
 #include "../geometry/cage_ring.h"
-#include "arguments.h"
+#include "ring_settings.h"
 
 namespace bearing {
 

@@ -33,6 +33,9 @@ struct RingBody {
   raceway::RingInertia inertia;
 };
 
+// Reads the inertia about and across the axis.
+raceway::RingInertia read_inertia(Arguments &);
+
 // Reads the settings keyword by keyword.
 class RingWords {
  public:
@@ -49,7 +52,6 @@ class RingWords {
   void read_freedom(const std::string &name, int dof);
   bool take_freedom();
   void read_vector(int first, const std::string &what);
-  void read_inertia();
   void read_support();
   bool take_load();
   bool take_housing();
