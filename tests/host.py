@@ -137,6 +137,16 @@ def refused(outcome, message):
     assert re.search(message, outcome.error), outcome.error or outcome.text[-2000:]
 
 
+def refuses(deck, *says, **kwargs):
+    """Run a deck, check that it ends with an error that contains all the texts `says`, and return
+    the outcome. The keyword arguments are those of `run`."""
+    outcome = run(deck, **kwargs)
+    assert outcome.code > 0, outcome.text[-2000:]
+    for text in says:
+        assert text in outcome.error, outcome.error or outcome.text[-2000:]
+    return outcome
+
+
 def liggghts(deck, *, sanitized=False, **kwargs):
     """Run a deck in LIGGGHTS. The keyword arguments are those of `run`."""
     return run(deck, host="sanitized" if sanitized else "liggghts", **kwargs)

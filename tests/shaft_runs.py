@@ -9,7 +9,7 @@ import re
 
 import numpy as np
 import xarray
-from host import deck_file, run, succeed
+from host import deck_file, succeed
 
 DECK = "tests/scenarios/in.shaft"
 TILTING = "x free y free rx free ry free spin speed"
@@ -112,6 +112,10 @@ group inner type 3
 """
 
 
-def small(tmp_path, text, *, off="0", **variables):
-    deck = deck_file(tmp_path, SMALL.replace("OFF", off) + text)
-    return run(deck, **variables)
+def small_deck(tmp_path, text, off="0"):
+    """Return a deck of the box with `text` after it."""
+    return deck_file(tmp_path, SMALL.replace("OFF", off) + text)
+
+
+def small(tmp_path, text):
+    return succeed(small_deck(tmp_path, text))

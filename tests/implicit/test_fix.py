@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from host import ROOT, frames, liggghts, succeed
+from host import ROOT, deck_file, frames, refuses, succeed
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
@@ -219,16 +219,13 @@ def test_a_step_far_too_large_is_refined_not_wrong(tmp_path):
     ],
 )
 def test_mistakes_are_named(tmp_path, control, message):
-    outcome = liggghts(CASE, out=tmp_path, control=control)
-    assert outcome.code != 0 and message in outcome.error
+    refuses(CASE, message, out=tmp_path, control=control)
 
 
 def test_two_implicit_steps_of_one_atom_are_refused(tmp_path):
-    deck = tmp_path / "in.twice"
     again = "fix again moving bearing/implicit\nneigh_modify"
-    deck.write_text((ROOT / CASE).read_text().replace("neigh_modify", again, 1))
-    outcome = liggghts(deck, out=tmp_path / "out")
-    assert outcome.code != 0 and "both move atom" in outcome.error
+    text = (ROOT / CASE).read_text().replace("neigh_modify", again, 1)
+    refuses(deck_file(tmp_path, text), "both move atom", out=tmp_path / "out")
 
 
 def test_a_step_that_turns_a_ball_too_far_is_refined(tmp_path):
