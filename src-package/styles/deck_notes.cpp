@@ -5,6 +5,7 @@
 #include "../core/settings/deck_variable_table.h"
 #include "../core/settings/written.h"
 #include "../deck/find_data.h"
+#include "find_record_layout.h"
 #include "fix_bearing_heat.h"
 #include "fix_bearing_implicit.h"
 #include "fix_bearing_ring.h"
@@ -101,18 +102,6 @@ std::string words_of(const NamedBearing &b, const PairBearing &pair)
     words += std::string(" ") + side + "_shoulder_diameter_m=" +
              digits(b.number_or(std::string(side) + "_shoulder_diameter", 0.0));
   return words;
-}
-
-// Returns the atom type of the first ball of each bearing of a record. Must be called on all ranks.
-std::vector<int> ball_types(LAMMPS *lmp, const RecordLayout &layout)
-{
-  std::vector<int> own(layout.bearings.size(), 0), all(own.size());
-  for (const RecordLayout::RecordBody &ball : layout.balls) {
-    const int i = lmp->atom->map(static_cast<tag_t>(ball.tag));
-    if (i >= 0 && i < lmp->atom->nlocal) own[ball.bearing] = lmp->atom->type[i];
-  }
-  MPI_Allreduce(own.data(), all.data(), static_cast<int>(own.size()), MPI_INT, MPI_MAX, lmp->world);
-  return all;
 }
 
 // The fix that states the loads of all inner rings of a record, null if there is none. Collective.

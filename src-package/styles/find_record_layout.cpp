@@ -191,4 +191,15 @@ RecordLayout find_record_layout(LAMMPS *lmp, PairBearingHertz &pair, int groupbi
   return layout;
 }
 
+std::vector<int> ball_types(LAMMPS *lmp, const RecordLayout &layout)
+{
+  std::vector<int> own(layout.bearings.size(), 0), all(own.size());
+  for (const RecordLayout::RecordBody &ball : layout.balls) {
+    const int i = lmp->atom->map(static_cast<tag_t>(ball.tag));
+    if (i >= 0 && i < lmp->atom->nlocal) own[ball.bearing] = lmp->atom->type[i];
+  }
+  MPI_Allreduce(own.data(), all.data(), static_cast<int>(own.size()), MPI_INT, MPI_MAX, lmp->world);
+  return all;
+}
+
 }    // namespace bearing

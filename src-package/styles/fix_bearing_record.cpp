@@ -326,11 +326,7 @@ void FixBearingRecord::open()
 void FixBearingRecord::find_heats()
 {
   heats_.clear();
-  std::vector<int> type(layout_.bearings.size(), 0);    // atom type of each bearing's balls
-  for (const bearing::RecordLayout::RecordBody &b : layout_.balls)
-    if (const int i = atom->map(static_cast<bearing::tag_t>(b.tag)); i >= 0)
-      type[b.bearing] = atom->type[i];
-  MPI_Allreduce(MPI_IN_PLACE, type.data(), static_cast<int>(type.size()), MPI_INT, MPI_MAX, world);
+  const std::vector<int> type = bearing::ball_types(lmp, layout_);
   bool any = false;
   std::vector<FixBearingHeat *> found(type.size(), nullptr);
   for (FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp))

@@ -2,6 +2,8 @@
 #include "record_settings.h"
 
 #include "../core/settings/raceway_version.h"
+#include "../core/settings/written.h"
+#include "../deck/find_data.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_implicit.h"
 #include "fix_bearing_profile.h"
@@ -53,26 +55,26 @@ static void add_bearing(const RecordLayout &layout, Attributes &list)
 
 std::string flaws_of(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayout &layout)
 {
-  std::map<double, std::string> of;    // flaws of each ring
+  std::map<double, std::string> of_rings;
+  std::vector<std::pair<std::set<double>, const FixBearingProfile *>> of_balls;
   for (const FixBearingProfile *f : fixes_of<FixBearingProfile>(lmp)) {
-    if (f->of_balls() || !f->departs()) continue;
-    for (const FixBearingProfile::FlawedRing &r : f->rings(pair)) {
-      std::string &text = of[static_cast<double>(r.tag)];
-      text += (text.empty() ? "" : "; ") + std::to_string(r.tag) + " " + f->said();
-    }
+    if (!f->departs()) continue;
+    std::set<double> tags;
+    for (const FixBearingProfile::Flawed &body : f->bodies(pair)) tags.insert(double(body.tag));
+    if (f->of_balls()) of_balls.emplace_back(tags, f);
+    else
+      for (const double tag : tags) {
+        std::string &text = of_rings[tag];
+        text += (text.empty() ? "" : "; ") + digits(tag) + " " + f->said();
+      }
   }
-  std::string all;
+  std::vector<std::string> all;
   for (const RecordLayout::RecordRing &r : layout.rings)
-    if (of.count(r.tag)) all += (all.empty() ? "" : "; ") + of[r.tag];
-  for (const FixBearingProfile *f : fixes_of<FixBearingProfile>(lmp)) {
-    if (!f->of_balls() || !f->departs()) continue;
-    std::set<tag_t> tags;
-    for (const FixBearingProfile::FlawedBall &b : f->balls(pair)) tags.insert(b.tag);
+    if (of_rings.count(r.tag)) all.push_back(of_rings[r.tag]);
+  for (const auto &[tags, f] : of_balls)
     for (const RecordLayout::RecordBody &ball : layout.balls)
-      if (const auto tag = static_cast<tag_t>(ball.tag); tags.count(tag))
-        all += (all.empty() ? "" : "; ") + std::to_string(tag) + " " + f->said();
-  }
-  return all;
+      if (tags.count(ball.tag)) all.push_back(digits(ball.tag) + " " + f->said());
+  return joined(all, "; ");
 }
 
 Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayout &layout,
@@ -98,11 +100,11 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
     for (const std::string &w : words) commands += " " + w;
   }
   list.push_back(NetcdfHeader::attribute("pair_commands", commands));
-  std::string surroundings;    // surroundings of contacts, as they are used in the columns
+  std::vector<std::string> surroundings;    // of contacts, as they are used in the columns
   for (const FixBearingCapacitance *f : capacitances_of(lmp))
-    if (f->model().surrounded()) surroundings += (surroundings.empty() ? "" : "\n") + f->said();
+    if (f->model().surrounded()) surroundings.push_back(f->said());
   if (!surroundings.empty())
-    list.push_back(NetcdfHeader::attribute("capacitance_commands", surroundings));
+    list.push_back(NetcdfHeader::attribute("capacitance_commands", joined(surroundings, "\n")));
   const std::string flaws = flaws_of(lmp, pair, layout);
   if (!flaws.empty()) list.push_back(NetcdfHeader::attribute("flaws", flaws));
   return list;

@@ -93,13 +93,15 @@ CircuitSettings CircuitSettings::read(Arguments &args)
     if (args.take("voltage")) {
       s.voltage = read_voltage(args);
       driven = true;
+    } else if (read_number(args, s) ||
+               args.word("events", s.events, "file for the films that fail")) {
+      continue;
     } else if (args.take("surfaces")) {
       s.rough = args.choice("surfaces", {"rough", "smooth"}) == 0;
     } else if (args.positive("metal", s.metal, "resistance of a metallic film (ohm)")) {
       s.metal_share =
           args.within("share of the load on asperities above which a film is metallic", 0.0, 0.999);
-    } else if (!read_number(args, s) &&
-               !args.word("events", s.events, "file for the films that fail")) {
+    } else {
       args.unknown();
     }
   }
