@@ -2,7 +2,7 @@
 """By default, a finished run is not overwritten; it can be continued with more ball passes."""
 
 import pytest
-from host import ROOT, refuses, succeed
+from host import ROOT, refuses, same_files, succeed
 
 DECK = "inputs/in.6208"
 SHORT = {"samples": 20, "rpm": 20000, "passes": 2}
@@ -41,9 +41,8 @@ def test_more_passes(tmp_path, host, integrator):
         succeed(
             DECK, host=host, out=tmp_path / "parts", resume="yes", **{**scene, "passes": passes}
         )
-    for name in ("record.nc", "contacts.dump", "balls.dump", "rings.dat"):
-        whole, parts = ((tmp_path / way / name).read_bytes() for way in ("whole", "parts"))
-        assert whole == parts, name
+    names = ("record.nc", "contacts.dump", "balls.dump", "rings.dat")
+    same_files(tmp_path / "whole", tmp_path / "parts", *names)
     lines = [(tmp_path / way / "run.yaml").read_text().splitlines() for way in ("whole", "parts")]
     assert [line for line in lines[0] if not line.startswith(COST)] == [
         line for line in lines[1] if not line.startswith(COST)

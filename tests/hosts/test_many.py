@@ -13,7 +13,7 @@ import re
 import numpy as np
 import pytest
 import raceway
-from host import BOX, deck_file, frames, refuses, succeed
+from host import BOX, deck_file, frames, refuses, same_files, succeed
 from scipy.io import netcdf_file
 
 DECK = "tests/hosts/in.many_bits"
@@ -303,9 +303,7 @@ def test_surroundings(tmp_path):
         more = {"surroundings": word, "outlet": 1.3, "out": tmp_path / word}
         succeed("inputs/in.many", **short, **more)
         runs[word] = raceway.open(tmp_path / word)
-    assert frames(tmp_path / "none" / "bearings.dump") == frames(
-        tmp_path / "cavitated" / "bearings.dump"
-    )
+    same_files(tmp_path / "none", tmp_path / "cavitated", "bearings.dump")
     for number in (1, 2):
         plain, whole = (runs[word].select(number).bearing for word in runs)
         assert np.array_equal(plain.capacitance, whole.capacitance)

@@ -80,19 +80,6 @@ def test_hosts(tmp_path, host):
     same(tmp_path / "one", tmp_path / "other")
 
 
-@pytest.mark.parametrize("host", ["liggghts", "lammps"])
-def test_goes_on(tmp_path, host):
-    """A run of one ball pass, continued for a second pass, equals a run of two passes, also in its
-    text dumps."""
-    case = dict(settle=1, rpm=2000, dumps="yes", host=host)
-    for folder in ("whole", "parts"):
-        succeed("inputs/in.6208", out=tmp_path / folder, passes=2 - (folder == "parts"), **case)
-    succeed("inputs/in.6208", out=tmp_path / "parts", passes=2, resume="yes", **case)
-    same(tmp_path / "whole", tmp_path / "parts")
-    for name in ("contacts.dump", "balls.dump", "rings.dat"):
-        assert (tmp_path / "whole" / name).read_text() == (tmp_path / "parts" / name).read_text()
-
-
 def test_settles_by_itself(tmp_path):
     """With the defaults, i.e. `settle auto` and models full, the record states to what extent the
     run has settled."""

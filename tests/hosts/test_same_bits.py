@@ -3,13 +3,12 @@
 are bitwise identical to those in LIGGGHTS."""
 
 import subprocess
-import time
 from functools import cache
 
 import pytest
 import yaml
 from hard.harness import CASES
-from host import ENVIRONMENT, HOSTS, ROOT, deck_file, frames, succeed
+from host import ROOT, deck_file, frames, start, succeed, wait_for_file
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
@@ -187,36 +186,8 @@ def test_stopped_run_goes_on(liggghts, host, tmp_path):
     """A run that receives SIGTERM ends with a restart file. After the run has been resumed, its
     output equals that of an undisturbed LIGGGHTS run."""
     variables = {"passes": 40, "keep": 50, "dumps": "yes"}
-    program, _ = HOSTS[host]
-    words = [
-        program,
-        "-in",
-        "inputs/in.6208",
-        "-log",
-        "none",
-        "-var",
-        "models",
-        "paper",
-        "-var",
-        "settle",
-        "1",
-        "-var",
-        "out",
-        tmp_path,
-        "-var",
-        "passes",
-        "40",
-        "-var",
-        "keep",
-        "50",
-        "-var",
-        "dumps",
-        "yes",
-    ]
-    with subprocess.Popen(words, cwd=ROOT, env=ENVIRONMENT, stdout=subprocess.DEVNULL) as process:
-        end = time.monotonic() + 60
-        while not (tmp_path / "restart").exists() and time.monotonic() < end:
-            time.sleep(0.002)
+    with start("inputs/in.6208", host=host, out=tmp_path, **variables) as process:
+        wait_for_file(tmp_path / "restart")
         # the lmp in the wheel is a script that starts the program and ends with it
         stop = (
             ["pkill", "-TERM", "-P", str(process.pid)]

@@ -9,7 +9,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from host import ENVIRONMENT, HOSTS, ROOT, liggghts, refused, succeed
+from host import liggghts, refused, start, succeed
 from scipy.io import netcdf_file
 
 DECK = "tests/scenarios/in.run"
@@ -218,17 +218,7 @@ def test_auto_ends_at_its_limit(tmp_path):
 def stop(out, scene, share, deck=DECK):
     """Stop a run when its settling phase has reached `share`, which is given in per cent or as a
     number of ball passes."""
-    command = [HOSTS["liggghts"][0], "-in", deck, "-log", "none", "-var", "out", out]
-    for name, value in scene.items():
-        command += ["-var", name, str(value)]
-    with subprocess.Popen(
-        [str(word) for word in command],
-        cwd=ROOT,
-        env=ENVIRONMENT,
-        text=True,
-        errors="replace",
-        stdout=subprocess.PIPE,
-    ) as process:
+    with start(deck, out=out, output=subprocess.PIPE, **scene) as process:
         for line in process.stdout:
             words = line.split()
             assert "Measuring" not in words, "it was not stopped on the way"
