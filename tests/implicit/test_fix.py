@@ -9,7 +9,6 @@ import pytest
 from host import ROOT, deck_file, frames, refuses, succeed
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
-from raceway.theory.bearing import INNER, OUTER
 from scenarios import closed_forms
 
 CASE = "tests/implicit/in.case"
@@ -147,21 +146,9 @@ def test_deck_against_statics(tmp_path, rpm):
     centrifugal load, agree with statics within 0.2 % of the largest load. At 9549 rpm the balls
     vibrate on the contact springs, and a difference of 2 % is allowed."""
     succeed("inputs/in.6208", out=tmp_path, integrator="implicit", passes=1, rpm=rpm)
-    run = RunTables(tmp_path)
-    contacts = run.contacts
     bound = 2e-3 if rpm < 1000 else 2e-2
-    for sample in range(0, 201, 10):
-        state = closed_forms.equilibrium(run, sample)
-        rows = contacts[contacts["sample"] == sample]
-        for side, theory in ((INNER, state.inner), (OUTER, state.outer)):
-            found = (
-                rows[rows["raceway"] == side]
-                .set_index("ball")["load"]
-                .reindex(range(1, 10))
-                .fillna(0)
-                .to_numpy()
-            )
-            np.testing.assert_allclose(found, theory.load, rtol=0, atol=bound * theory.load.max())
+    for found, theory in closed_forms.ball_loads(RunTables(tmp_path), range(0, 201, 10)):
+        np.testing.assert_allclose(found, theory, rtol=0, atol=bound * theory.max())
 
 
 def test_split_run_and_restart_are_bitwise(tmp_path):

@@ -44,6 +44,18 @@ def equilibrium(run, sample, film=None):
     )
 
 
+def ball_loads(run, samples, sides=(INNER, OUTER)):
+    """Yield (loads in the run, loads in statics) of the nine balls on each raceway in the samples,
+    in N."""
+    for sample in samples:
+        state = equilibrium(run, sample)
+        rows = run.contacts[run.contacts["sample"] == sample]
+        for side in sides:
+            found = rows[rows["raceway"] == side].set_index("ball")["load"]
+            theory = state.inner if side == INNER else state.outer
+            yield found.reindex(range(1, 10)).fillna(0).to_numpy(), theory.load
+
+
 def _all(run):
     samples = sorted(run.contacts["sample"].unique())
     return [equilibrium(run, sample) for sample in samples[::4]]
