@@ -143,6 +143,13 @@ def start(deck, *, output=subprocess.DEVNULL, **kwargs):
     )
 
 
+def call(words, **more):
+    """Run a command in the root of the repository, and return the finished process."""
+    words = [str(word) for word in words]
+    given = {"cwd": ROOT, "text": True, "capture_output": True, "check": False, **more}
+    return subprocess.run(words, **given)
+
+
 def wait_for(condition, patience=120):
     """Wait until `condition()` is true."""
     end = time.monotonic() + patience

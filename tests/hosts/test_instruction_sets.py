@@ -8,7 +8,6 @@ The environment variable RACEWAY_NARROW_LANES selects that code on AVX2 processo
 
 import ctypes
 import os
-import subprocess
 import sys
 
 import host
@@ -20,13 +19,7 @@ LIBRARY = host.ROOT / "build" / "libraceway_physics.so"
 def takes_avx2(**environment):
     """Return whether a process with these environment variables uses AVX2."""
     ask = f"import ctypes; print(ctypes.CDLL({str(LIBRARY)!r}).takes_avx2())"
-    done = subprocess.run(
-        [sys.executable, "-c", ask],
-        env=dict(os.environ, **environment),
-        capture_output=True,
-        text=True,
-        check=True,
-    )
+    done = host.call([sys.executable, "-c", ask], env=dict(os.environ, **environment), check=True)
     return int(done.stdout)
 
 

@@ -5,11 +5,10 @@ rejected."""
 
 import os
 import shutil
-import subprocess
 
 import pytest
 from debian_tree import TREE, source_entries, unpacked
-from host import frames, same_files, succeed
+from host import call, frames, same_files, succeed
 from hosts.source_trees import Installer, contents
 
 TREES = Installer("LIGGGHTS")
@@ -152,8 +151,7 @@ def test_transient_has_the_same_bits(tmp_path, ranks):
 
 def test_it_is_the_tree_that_ran(tmp_path):
     """The program is built from the tree and does not use Debian's LIGGGHTS library."""
-    libraries = subprocess.run(["ldd", PROGRAM], text=True, capture_output=True, check=True).stdout
-    assert "liggghts" not in libraries
+    assert "liggghts" not in call(["ldd", PROGRAM], check=True).stdout
     assert os.path.islink(PROGRAM)
 
 

@@ -13,6 +13,7 @@ import sys
 from pathlib import Path
 from types import SimpleNamespace
 
+import host
 import pandas as pd
 import pytest
 import raceway
@@ -47,9 +48,7 @@ def words(*arguments):
 
 
 def call(command, env=ENV):
-    """Run a command in the root of the repository, and return the finished process."""
-    words = [str(word) for word in command]
-    return subprocess.run(words, cwd=ROOT, env=env, text=True, capture_output=True, check=False)
+    return host.call(command, env=env)
 
 
 def started(command, env=ENV, **more):
