@@ -28,8 +28,7 @@ struct Piece {
   enum Kind { kind, ball, cage, ring } what;
   double bearing, tag;    // number that identifies the bearing; tag of the atom
   int raceway;
-  double of[of_kind::N];    // data of the bearing; for a ring: its origin, pocket play, guide and
-                            // phase
+  double of[of_kind::N];    // data of the bearing or, for a ring, its origin, play, guide, phase
 };
 
 bool before(const Piece &a, const Piece &b)
@@ -41,8 +40,7 @@ bool before(const Piece &a, const Piece &b)
 // whose group contains the ball.
 std::map<double, double> permittivities(LAMMPS *lmp)
 {
-  std::vector<double> mine, space;    // `mine` contains alternately the tag of a ball and a
-                                      // permittivity
+  std::vector<double> mine, space;    // mine: tag of a ball, permittivity, tag, ...
   for (const FixBearingCapacitance *f : capacitances_of(lmp))
     for (int i = 0; i < lmp->atom->nlocal; ++i)
       if (f->covers(i)) {

@@ -11,8 +11,7 @@
 namespace raceway {
 
 namespace detail {
-constexpr double least_rolling = 1e-3;    // speed (m/s) below which the couples are proportional to
-                                          // the speed
+constexpr double least_rolling = 1e-3;    // m/s, below which couples grow with speed
 
 // Returns the inverse of the angular speed by which a couple is divided, s.
 template <class T> RACEWAY_INLINE T over_rolling(const T &turn, const T &radius)
@@ -40,8 +39,7 @@ struct HydrodynamicRollingPart : PartBase {
     double length = 0.0;    // inlet length in units of the semi-axis b; 0: flooded
     // computed by prepare()
     double ln_heating = 0.0;
-    double of_film = 0.0;    // if not 0: inlet shear factor relative to the film factor in which it
-                             // is included
+    double of_film = 0.0;    // inlet shear over the film factor that includes it; 0: not in it
     RollingConstants force;
     RollingShapeT<double> radial{};    // at zero contact angle
     RollingInlet inlet;
