@@ -193,10 +193,7 @@ DECKS = {
         DRY.replace("units si", "units cgs") + "run 0\n",
         r"needs 'units si', not 'units cgs'",
     ),
-    "newton on": (
-        DRY.replace("newton off", "newton on") + "run 0\n",
-        r"needs 'newton off'",
-    ),
+    "newton on": (DRY.replace("newton off", "newton on") + "run 0\n", r"needs 'newton off'"),
     "periodic box": (
         DRY.replace("boundary f f f", "boundary p p p") + "run 0\n",
         r"needs 'boundary f f f'",

@@ -29,11 +29,7 @@ GOTHIC = {
 }
 SCENES = {
     "film, ring free to tilt": {"lubricant": "mineral", "tilt": "free"},
-    "film in the gap, ring free to tilt": {
-        "lubricant": "mineral",
-        "tilt": "free",
-        "law": FULL,
-    },
+    "film in the gap, ring free to tilt": {"lubricant": "mineral", "tilt": "free", "law": FULL},
     "dry, ring not tilting": {"lubricant": "dry", "tilt": "fixed"},
     "four points, ring free to tilt": {"lubricant": "dry", "tilt": "free", **GOTHIC},
     "flaws, housing, ring free to tilt": {

@@ -104,12 +104,7 @@ def test_models_of_an_oil_without_the_numbers(tmp_path):
         "variable pressure_viscosity index 22e-9\nvariable permittivity index 2.2\n"
         "variable roughness index 1e-7\nvariable ball_roughness index 0\n"
     )
-    case = {
-        "inputs": own,
-        "lubricant": "mine",
-        "out": tmp_path / "run",
-        "overwrite": "yes",
-    } | SHORT
+    case = {"inputs": own, "lubricant": "mine", "out": tmp_path / "run", "overwrite": "yes"} | SHORT
     succeed("inputs/in.6208", **case)
     says = "oil mine: the lubricant has no variable temperature_viscosity, oil_density"
     refuses("inputs/in.6208", says, models="full", **case)

@@ -55,10 +55,7 @@ def test_bits(alone, tmp_path, host, ranks):
 def split(folder):
     """Return the deck split into two runs, and a second deck that continues from the restart file
     of the first run."""
-    whole = changed(
-        "in.drum",
-        [("run ${steps}", "run 550\nwrite_restart ${out}.restart\nrun 250")],
-    )
+    whole = changed("in.drum", [("run ${steps}", "run 550\nwrite_restart ${out}.restart\nrun 250")])
     start = whole.index("boundary f f f"), whole.index("region box")
     resumed = whole[: start[0]] + "newton off\nread_restart ${out}.restart\n" + whole[start[1] :]
     for line in whole.splitlines():

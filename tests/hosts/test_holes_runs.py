@@ -83,10 +83,7 @@ def test_limits_of_an_implicit_step(tmp_path, words, message):
 def test_a_cage_without_a_coefficient(tmp_path):
     """There is a warning if cage balls pass through the balls because a coefficient is missing, and
     none if there is a coefficient."""
-    for name, text in (
-        ("without", EHD.replace("pair_coeff 1 2 sphere", "#")),
-        ("with", EHD),
-    ):
+    for name, text in (("without", EHD.replace("pair_coeff 1 2 sphere", "#")), ("with", EHD)):
         deck = deck_file(tmp_path, text.replace("run 40000", "run 200\nrun 200"), f"in.{name}")
         end = succeed(deck, out=tmp_path / name)
         warned = end.text.count("cage balls pass through the balls: there is no 'pair_coeff 1 2")

@@ -139,10 +139,7 @@ def start(tmp_path_factory):
     [
         (("20210929", "MPICH Version: 5"), "built with Open MPI, but this LAMMPS runs on MPICH"),
         (("20220623", OPEN_MPI), "built for LAMMPS 20210929, but this is LAMMPS 20220623: build"),
-        (
-            ("20210929", OPEN_MPI, "8"),
-            "built with -DLAMMPS_BIGBIG: .*make plugin .* SIZES=BIGBIG",
-        ),
+        (("20210929", OPEN_MPI, "8"), "built with -DLAMMPS_BIGBIG: .*make plugin .* SIZES=BIGBIG"),
         (("20210929", OPEN_MPI), "libraceway_lammps.so: cannot open shared object file"),
     ],
 )

@@ -205,11 +205,7 @@ def test_balance_of_a_resumed_run(tmp_path):
     again += f"neigh_modify delay 0 every 20 check yes\n{CREATE} groups yes resumed yes\n"
     keep = f"fix keep all bearing/checkpoint 2 {tmp_path}/re last yes balance inner "
     said = []
-    for first, words, steps in (
-        (begin, "", 40),
-        (begin, "", 20),
-        (again, "resume yes", 20),
-    ):
+    for first, words, steps in ((begin, "", 40), (begin, "", 20), (again, "resume yes", 20)):
         deck = deck_file(
             tmp_path, f'{first}{MOVE}{keep}{words}\nrun {steps}\nprint "IS $(f_keep)"\n'
         )

@@ -75,11 +75,7 @@ def test_loads_against_verlet(tmp_path, name, bound, case):
 
 @pytest.mark.parametrize(
     "bound, case",
-    [
-        (2e-4, dict()),
-        (1e-3, dict(clearance=44.1e-6)),
-        (2e-4, dict(cage_ball=8.4455e-3)),
-    ],
+    [(2e-4, dict()), (1e-3, dict(clearance=44.1e-6)), (2e-4, dict(cage_ball=8.4455e-3))],
 )
 def test_loads_by_estimated_errors(tmp_path, bound, case):
     """Loads also agree with velocity Verlet if errors are estimated instead of bounded, with a

@@ -62,14 +62,7 @@ class Physics(Library):
     def elementary(self, name, x):
         """Apply a function of `ELEMENTARY` to an array, and return (one by one, four at a time)."""
         one, four = np.full(len(x), np.nan), np.full(len(x), np.nan)
-        self.call(
-            "elementary",
-            which=ELEMENTARY.index(name),
-            n=len(x),
-            x=x,
-            one=one,
-            four=four,
-        )
+        self.call("elementary", which=ELEMENTARY.index(name), n=len(x), x=x, one=one, four=four)
         return one, four
 
     def rotate(self, a, w):

@@ -5,16 +5,7 @@ contact, 40-digit arithmetic, and published values."""
 import numpy as np
 import pytest
 from physics_c import INNER, OUTER
-from raceway import (
-    asperity,
-    drag,
-    film,
-    hertz,
-    rolling,
-    sliding,
-    spin,
-    traction,
-)
+from raceway import asperity, drag, film, hertz, rolling, sliding, spin, traction
 from raceway.core import laws
 from references import film as film_reference
 from references import friction as reference

@@ -14,10 +14,7 @@ ROLLING = BALL * (1 + BALL / ORBIT)  # m, effective radius in the rolling direct
 BOTTOM = -np.pi / 2
 MASS = 7800 * 4 / 3 * np.pi * BALL**3  # kg
 EDGE = 5e-6  # m, edge radius; it is small because closed-form solutions assume sharp edges
-MOVERS = {
-    "verlet": {},
-    "implicit": {"mover": "all bearing/implicit tolerance 1.0e-11"},
-}
+MOVERS = {"verlet": {}, "implicit": {"mover": "all bearing/implicit tolerance 1.0e-11"}}
 # slow motion, damped by the steel: the ball moves as if ball and raceway were rigid
 SLOW = dict(speed=0.03, field=200, damping="hysteresis 0.3", azimuth=BOTTOM - 0.03, sink=2.46e-7)
 QUICK = {

@@ -215,12 +215,7 @@ def test_energy(tmp_path):
     """The work of the loads equals the dissipated heat plus the energy of motion and of the
     springs; the integrator loses a fraction of one thousandth."""
     words = "mass 4 inertia 2e-3 2e-2 centre 0.08 load 0.15 -300 -3000 0 unbalance 0.02 2e-4 0.4"
-    _, energy = swing(
-        tmp_path,
-        **ENERGY,
-        freedoms=f"{TILTING} 200",
-        words=f"{words} ramp 1e-3",
-    )
+    _, energy = swing(tmp_path, **ENERGY, freedoms=f"{TILTING} 200", words=f"{words} ramp 1e-3")
     assert energy["work"] > 1e-2 and energy["dissipated"] > 0.0
     assert abs(energy["lost"]) < 1e-3 * energy["work"]
 
