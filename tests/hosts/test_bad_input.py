@@ -303,14 +303,8 @@ def test_deck(name, tmp_path):
 
 
 # invalid setups that are tested in every host
-SETUPS = [
-    "newton on",
-    "periodic box",
-    "other units",
-    "overlapping balls",
-    "ring elsewhere",
-    "unknown style keyword",
-]
+SETUPS = ["newton on", "periodic box", "other units", "overlapping balls", "ring elsewhere",
+          "unknown style keyword"]  # fmt: skip
 GHOSTS = {"liggghts": "communicate single", "lammps": "comm_modify", "wheel": "comm_modify"}
 
 
