@@ -28,31 +28,11 @@ from host import frames  # noqa: E402
 
 FILES = ("record.nc", "contacts.dump", "balls.dump", "rings.dat")
 DECK = "inputs/in.6208"
+KEPT = {"passes": 10, "keep": 25, "dumps": "yes"}
 SCENES = (
-    {
-        "lubricant": "mineral",
-        "integrator": "implicit",
-        "passes": 10,
-        "keep": 25,
-        "dumps": "yes",
-        "within": 5,
-    },
-    {
-        "models": "full",
-        "integrator": "implicit",
-        "passes": 10,
-        "keep": 25,
-        "dumps": "yes",
-        "within": 5,
-    },
-    {
-        "lubricant": "dry",
-        "integrator": "verlet",
-        "rpm": 9549,
-        "passes": 10,
-        "keep": 25,
-        "dumps": "yes",
-    },
+    {"lubricant": "mineral", "integrator": "implicit", "within": 5, **KEPT},
+    {"models": "full", "integrator": "implicit", "within": 5, **KEPT},
+    {"lubricant": "dry", "integrator": "verlet", "rpm": 9549, **KEPT},
 )
 
 

@@ -28,7 +28,7 @@ SCENES = {
         "sample": 1e-4,
         "step": 2e-7,
         "ramp": 2e-4,
-    },
+    },  # fmt: skip
 }
 BEARINGS = {"bearings": 12, "columns": 3}
 

