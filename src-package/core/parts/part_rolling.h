@@ -39,7 +39,8 @@ struct HydrodynamicRollingPart : PartBase {
     double length = 0.0;    // inlet length in units of the semi-axis b; 0: flooded
     // computed by prepare()
     double ln_heating = 0.0;
-    double of_film = 0.0;    // inlet shear over the film factor that includes it; 0: not in it
+    double of_film = 0.0;    // if not 0: inlet shear factor relative to the film factor in which it
+                             // is included
     RollingConstants force;
     RollingShapeT<double> radial{};    // at zero contact angle
     RollingInlet inlet;
