@@ -162,9 +162,7 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
     if (b->in_use) list.push_back(b);
   if (!named || list.empty()) return;
   const auto add = [&to](const std::string &name, const auto &value) {
-    if (std::none_of(to.begin(), to.end(),
-                     [&](const NetcdfHeader::Attribute &a) { return a.name == name; }))
-      to.push_back(NetcdfHeader::attribute(name, value));
+    NetcdfHeader::add_new(to, {name, value});
   };
   if (const std::string again = variables_of(lmp, within); !again.empty())
     add("deck_variables", again);

@@ -143,8 +143,8 @@ void FixBearingRecord::read_notes(Arguments &args, Note kind)
     }
     check_note(args, what, name);
     if (!of_deck) value = args.word(name);
-    if (kind == Note::text) notes_.push_back(NetcdfHeader::attribute(name, value));
-    else notes_.push_back(NetcdfHeader::attribute(name, args.number_in(value, name)));
+    if (kind == Note::text) notes_.push_back({name, value});
+    else notes_.push_back({name, args.number_in(value, name)});
     notes_.back().changes = kind == Note::goal;
     if (!of_deck) return;
   } while (args.more() && args.next().find('=') != std::string::npos);
@@ -185,7 +185,7 @@ void FixBearingRecord::begin(const bearing::Sampling &sampling)
 {
   nevery = sampling.every;
   within_ = sampling.within;
-  note(NetcdfHeader::attribute("samples_per_pass", a_pass_));
+  note({"samples_per_pass", a_pass_});
   if (dumps_) begin_dumps();
 }
 
@@ -206,8 +206,8 @@ void FixBearingRecord::begin_dumps()
         "bearing_dump rings all " + every + " " + folder_ + "/rings.dat inner append " + resumed})
     input->one(line.c_str());
   char name[] = "b_contact_columns";
-  note(NetcdfHeader::attribute("contact_columns", std::string(input->variable->retrieve(name))));
-  note(NetcdfHeader::attribute("ball_columns", columns));
+  note({"contact_columns", std::string(input->variable->retrieve(name))});
+  note({"ball_columns", columns});
 }
 
 void FixBearingRecord::note(NetcdfHeader::Attribute one, bool changes)
@@ -333,7 +333,7 @@ void FixBearingRecord::find_heats()
     for (size_t b = 0; b < type.size(); ++b)
       if (!f->idle() && f->covers_type(type[b])) {
         found[b] = f;
-        if (!any) note(NetcdfHeader::attribute("heat_ambient_C", f->ambient()));
+        if (!any) note({"heat_ambient_C", f->ambient()});
         any = true;
       }
   if (any) heats_ = found;

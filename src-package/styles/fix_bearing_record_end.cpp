@@ -10,7 +10,6 @@
 #include <ctime>
 
 using namespace LAMMPS_NS;
-using bearing::NetcdfHeader;
 
 // Returns the processor time used by this process, in s.
 static double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -48,13 +47,12 @@ void FixBearingRecord::post_run()
   refuse_write(why);
   const double time = time_of(last_step_);
   if (done)
-    refuse(bearing::write_run_yaml(
-        folder_, about_,
-        {NetcdfHeader::attribute("step_s", time / std::max(spent_.steps, 1.0)),
-         NetcdfHeader::attribute("evaluations", spent_.evaluations),
-         NetcdfHeader::attribute("processor_s", spent_.processor),
-         NetcdfHeader::attribute("simulated_s", time),
-         NetcdfHeader::attribute("wall_s", spent_.wall)}));
+    refuse(bearing::write_run_yaml(folder_, about_,
+                                   {{"step_s", time / std::max(spent_.steps, 1.0)},
+                                    {"evaluations", spent_.evaluations},
+                                    {"processor_s", spent_.processor},
+                                    {"simulated_s", time},
+                                    {"wall_s", spent_.wall}}));
 }
 
 // Returns the time and steps spent in the current run so far. Must be called on all ranks.

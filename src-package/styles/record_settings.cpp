@@ -10,7 +10,6 @@
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
 
-#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -25,12 +24,6 @@ namespace bearing {
 
 using Attributes = NetcdfHeader::Attributes;
 
-static bool has(const Attributes &list, const std::string &name)
-{
-  return std::any_of(list.begin(), list.end(),
-                     [&](const NetcdfHeader::Attribute &a) { return a.name == name; });
-}
-
 // Adds the data of the bearing if the record contains only one. The names include units, as in the
 // data files of the decks.
 static void add_bearing(const RecordLayout &layout, Attributes &list)
@@ -39,8 +32,7 @@ static void add_bearing(const RecordLayout &layout, Attributes &list)
       {"", ""}, {"m", "_m"}, {"kg", "_kg"}, {"Pa", "_Pa"}, {"Pa s", "_Pa_s"}, {"1/Pa", "_per_Pa"}};
   const double *of = layout.bearings.front().of;
   const auto add = [&list](const std::string &name, double value) {
-    if (!has(list, name) && !std::isnan(value))
-      list.push_back(NetcdfHeader::attribute(name, value));
+    if (!std::isnan(value)) NetcdfHeader::add_new(list, {name, value});
   };
   for (int k = 0; k < of_kind::N; ++k) {
     const raceway::Column &c = of_kind::list[k];
@@ -81,32 +73,28 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
                            const Attributes &notes, const RunTimes &times)
 {
   Attributes list = notes;
-  list.insert(list.begin(), NetcdfHeader::attribute("title", "ball bearing run"));
+  list.insert(list.begin(), {"title", "ball bearing run"});
   const bool implicit = !fixes_of<FixBearingImplicit>(lmp).empty();
-  if (!has(list, "integrator"))
-    list.push_back(NetcdfHeader::attribute("integrator", implicit ? "implicit" : "verlet"));
+  NetcdfHeader::add_new(list, {"integrator", implicit ? "implicit" : "verlet"});
   if (layout.bearings.size() == 1) add_bearing(layout, list);
-  list.push_back(
-      NetcdfHeader::attribute("source", "Raceway " RACEWAY_VERSION ", fix bearing/record"));
-  list.push_back(NetcdfHeader::attribute("host", BRG_HOST_NAME));
-  list.push_back(
-      NetcdfHeader::attribute("axis", std::string(1, "xyz"[pair.coefficients().axis_index()])));
-  list.push_back(NetcdfHeader::attribute("sample_s", times.sample));
-  list.push_back(NetcdfHeader::attribute("start_s", times.start));
+  list.push_back({"source", "Raceway " RACEWAY_VERSION ", fix bearing/record"});
+  list.push_back({"host", BRG_HOST_NAME});
+  list.push_back({"axis", std::string(1, "xyz"[pair.coefficients().axis_index()])});
+  list.push_back({"sample_s", times.sample});
+  list.push_back({"start_s", times.start});
   std::string commands =
       std::string("pair_style bearing/") + (pair.coefficients().lubricated() ? "ehd" : "hertz");
   for (const std::vector<std::string> &words : pair.commands()) {
     if (&words != &pair.commands().front()) commands += "\npair_coeff";
     for (const std::string &w : words) commands += " " + w;
   }
-  list.push_back(NetcdfHeader::attribute("pair_commands", commands));
+  list.push_back({"pair_commands", commands});
   std::vector<std::string> surroundings;    // of contacts, as they are used in the columns
   for (const FixBearingCapacitance *f : capacitances_of(lmp))
     if (f->model().surrounded()) surroundings.push_back(f->said());
-  if (!surroundings.empty())
-    list.push_back(NetcdfHeader::attribute("capacitance_commands", joined(surroundings, "\n")));
+  if (!surroundings.empty()) list.push_back({"capacitance_commands", joined(surroundings, "\n")});
   const std::string flaws = flaws_of(lmp, pair, layout);
-  if (!flaws.empty()) list.push_back(NetcdfHeader::attribute("flaws", flaws));
+  if (!flaws.empty()) list.push_back({"flaws", flaws});
   return list;
 }
 

@@ -74,6 +74,7 @@ class RunBearing : public bearing::CommandBase {
   void show(double rows, const std::string &title, const std::string &more = "");
   void run(double steps);
   void set_step(double dt);
+  void execute(const std::string &line) { input->one(line.c_str()); }
   FixBearingRun::State &now() { return fix_->now(); }
 
   Settings settings_;

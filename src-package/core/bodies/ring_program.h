@@ -31,7 +31,7 @@ struct TurningForce {
 
 // An eccentric mass that rotates with a ring whose spin is imposed.
 struct Unbalance {
-  double moment = 0.0, phase = 0.0;    // kg m, mass times eccentricity; rad, on the ring
+  double moment = 0.0, phase = 0.0;    // kg m, mass times eccentricity; rad, relative to the ring
 };
 
 // A spring and damper in parallel between a ring and another ring, or between a ring and the ground
@@ -71,7 +71,7 @@ struct RingProgram {
   double spin_growth = 0.0;    // rad/s^2, growth rate of a driven spin
   double ramp = 0.0;           // s, time over which the loads are applied (3s^2 - 2s^3)
   double end = 0.0,
-         length = 0.0;    // s: age of the load at the end of the host's step; that step
+         length = 0.0;    // s, age of the load at the end of the host's step; its length
 
   bool free(int dof) const { return mode[dof] == Freedom::free; }
   bool tilts_free() const { return free(TILT) && free(TILT + 1); }

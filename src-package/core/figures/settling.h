@@ -18,7 +18,7 @@ struct SettlingSample {
   double load[2] = {};          // N, largest loads on the inner and the outer raceway
   double cage_speed = 0.0;      // rad/s
   double pocket_force = 0.0;    // N, largest force of a ball on its pocket in a one-piece cage
-  double cage_orbit = 0.0;      // off the axis, as a fraction of half the play
+  double cage_orbit = 0.0;      // distance of a cage from the axis over half its play
   // sums over the balls of the load, and of the load times the unit vector of the spin axis in the
   // radial, tangential and axial directions at the ball
   double weight = 0.0, axis[3] = {};

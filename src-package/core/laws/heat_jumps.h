@@ -21,7 +21,7 @@ struct HeatPass {
 
 struct HeatControl {
   double change = 2.0;       // K, largest temperature change of a node in a jump
-  double error = 0.5;        // K, error allowed in a jump, as losses depend on temperature
+  double error = 0.5;        // K, allowed error of a jump, as losses depend on temperature
   double until = 0.0;        // s, thermal time to simulate; 0: until temperatures are steady
   double steady = 0.05;      // K, largest distance from a steady state
   double hottest = 200.0;    // C, the run ends if any temperature exceeds this limit
@@ -79,7 +79,7 @@ inline double idle_oil(const HeatNetwork &net)
 // `net` does not yet contain the conductances of the contacts.
 inline void heat_jump(HeatState &s, const HeatPass &seen, HeatNetwork net, const HeatControl &c)
 {
-  constexpr double lasting = 0.5;    // time with a gain above 1, over the slowest time constant
+  constexpr double lasting = 0.5;    // how long the gain exceeds 1, over the slowest time constant
   // number of consecutive slopes with a gain above 1 that rules out chance
   constexpr int in_a_row = 3;
   constexpr double least_rise = 2.0;    // K, above which a slope exceeds the scatter
@@ -116,7 +116,7 @@ inline void heat_jump(HeatState &s, const HeatPass &seen, HeatNetwork net, const
     s.power_before = power;
   }
   s.seen += 1.0;
-  double left = 0.0;    // K, distance from the steady state, to which losses change
+  double left = 0.0;    // K, distance from the steady state with the change in losses
   for (int i = 0; i < net.nodes(); ++i) left = std::max(left, std::fabs(last[i] - s.at[i]));
   if (s.gain > 0.0) left = s.gain < 1.0 ? left / (1.0 - s.gain) : HUGE_VAL;
   HeatEnd end = HeatEnd::none;

@@ -35,7 +35,7 @@ struct SpinContact {
 struct BallRotation {
   double orbit = 0.0;                  // rad/s, of balls and cage about the bearing's axis
   double radial = 0.0, axial = 0.0;    // rad/s, inertial frame
-  double spin[2] = {};                 // rad/s, of ball on ring about the normal
+  double spin[2] = {};                 // rad/s, of ball against ring, about the normal
 
   BallRotation operator-(const BallRotation &o) const
   {

@@ -128,7 +128,7 @@ struct TangentialSpringPart : PartBase {
   using Losses = LossList<FrictionLoss>;
   struct Parameters {
     double ratio = -1.0;                       // k_t/k_n set by the keyword; < 0: Mindlin
-    double zeta = 0.3;                         // of critical damping of the rolling mode, 2/7 m_b
+    double zeta = 0.3;                         // over critical damping; rolling mode, mass 2/7 m_b
     double kt_ratio = 0.0, ct_factor = 0.0;    // values in use
     void prepare(const Raceway &p)
     {

@@ -20,8 +20,8 @@ template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
   T overlap = T();                       // m, overlap of the rigid surfaces; negative for a gap
   T compression = T();                   // m, elastic approach: overlap and what parts add
   T overlap_rate = T();                  // m/s
-  T sliding_t = T(), sliding_w = T();    // m/s, of the ball on the ring
-  T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, of ball on ring, for couples
+  T sliding_t = T(), sliding_w = T();    // m/s, of the ball relative to the ring
+  T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, likewise; for couples
   // intermediate results for other parts and for output
   T root = T();      // sqrt(m), square root of the compression
   T load = T();      // N, elastic load Q

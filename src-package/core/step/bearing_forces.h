@@ -60,7 +60,7 @@ struct Stage {
   // contact. Without these derivatives, a body at rest would jump out of its groove.
   double close = 0.0, close_cage = 0.0;
 
-  double follows() const { return dampers_only ? 0.0 : h; }    // s, how long positions follow
+  double follows() const { return dampers_only ? 0.0 : h; }    // s, positions follow velocities
 };
 
 class BearingForces {
@@ -80,7 +80,7 @@ class BearingForces {
   // there is no contact.
   double largest_overlap() const;
 
-  int body() const { return body_; }                           // that failed, or -1
+  int body() const { return body_; }                           // which failed, or -1
   double power_lost() const { return power_lost_; }            // power dissipated in contacts, W
   double contact_energy() const { return contact_energy_; }    // elastic energy of contacts, J
   // Returns the change (J) in elastic energy since the start of the step due to entrainment speeds

@@ -152,7 +152,7 @@ class BearingIntegrator {
   BearingForces forces_;
   BearingInstants instants_;
   const double slowest_;
-  double remains_ = 1.0;                           // error after a correction over that correction
+  double remains_ = 1.0;                           // error a correction leaves, over it
   bool keep_energy_ = false, balanced_ = false;    // balanced_: the energy at the start is known
   std::vector<double> loads_;                      // loads on the coordinates
   Energy energy_, pending_;

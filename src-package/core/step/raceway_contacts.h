@@ -78,7 +78,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
     Lane *B = system.B(group, u), *C = system.C(group, u);
     for (int k = 0; k < 6; ++k)
       for (int i = 0; i < n; ++i) {
-        if ((i == 0 && k >= 3 && !depth) || (i >= 3 && k < 3)) continue;    // always 0
+        if ((i == 0 && k >= 3 && !depth) || (i >= 3 && k < 3)) continue;    // zero entries
         B[k] -= row[i][k] * force[i];
       }
     for (int k = 0; k < 6; ++k)
