@@ -56,17 +56,18 @@ void PairBearing::settings(int narg, char **arg)
     if (args.next() == "axis" || args.next() == "overlap_limit") {
       of_style.push_back(args.word("keyword"));
       of_style.push_back(args.word("value of " + of_style.back()));
-    } else if (args.take("oil")) oil_name_ = args.word("oil of inputs/lubricants, a file, or dry");
-    else if (args.take("temperature")) temperature_ = args.number_of("temperature");
-    else if (args.take("models")) choice_.models = args.word("models");
-    else if (args.take("without")) choice_.without = args.word("parts to leave out");
-    else if (args.take("gap_film")) choice_.gap_film = args.value_of("gap_film");
-    else if (args.take("inlet_shear")) choice_.inlet_shear = args.value_of("inlet_shear");
-    else if (args.take("spin_law")) choice_.spin_law = args.value_of("spin_law");
-    else if (args.take("lubrication")) choice_.lubrication = args.value_of("lubrication");
-    else if (args.take("oil_level")) choice_.oil_level = args.number_of("oil_level");
-    else if (args.take("inputs")) folder_ = args.word("folder of the data files");
-    else more_ += " " + args.word("keyword");
+    } else if (!(args.word("oil", oil_name_, "oil of inputs/lubricants, a file, or dry") ||
+                 args.variable("temperature", temperature_) ||
+                 args.word("models", choice_.models, "models") ||
+                 args.word("without", choice_.without, "parts to leave out") ||
+                 args.variable("gap_film", choice_.gap_film) ||
+                 args.variable("inlet_shear", choice_.inlet_shear) ||
+                 args.variable("spin_law", choice_.spin_law) ||
+                 args.variable("lubrication", choice_.lubrication) ||
+                 args.variable("oil_level", choice_.oil_level) ||
+                 args.word("inputs", folder_, "folder of the data files"))) {
+      more_ += " " + args.word("keyword");
+    }
   }
   if (oil_name_.empty()) args.fail("'oil NAME' is missing; use 'oil dry' for dry contacts");
   const auto &names = bearing::model_names;
@@ -147,16 +148,12 @@ void PairBearing::coeff(int narg, char **arg)
   own.bearing = b.name;
   own.oil = oil_name_;
   own.temperature = temperature_;
-  while (args.more()) {
-    if (args.take("oil")) own.oil = args.word("oil of inputs/lubricants, or a file");
-    else if (args.take("temperature")) own.temperature = args.number_of("temperature");
-    else if (args.take("speed")) {
-      own.speed = args.number("speed of the rings (rad/s)");
-      own.speed_given = true;
-    } else if (args.take("spheres"))
-      own.printed = args.choice("spheres", {"exact", "printed"}) == 1;
-    else own.law += " " + args.word("keyword");
-  }
+  while (args.more())
+    if (args.take("spheres")) own.printed = args.choice("spheres", {"exact", "printed"}) == 1;
+    else if (args.number("speed", own.speed, "speed of the rings (rad/s)")) own.speed_given = true;
+    else if (!args.word("oil", own.oil, "oil of inputs/lubricants, or a file") &&
+             !args.variable("temperature", own.temperature))
+      own.law += " " + args.word("keyword");
   own.data = read_oil(args, own.oil, own.temperature);
   if ((own.data.at("film") != "dry") != coefficients().lubricated())
     args.fail("oil " + own.oil + " of bearing " + b.name + " and oil " + oil_name_ +
