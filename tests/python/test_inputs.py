@@ -84,13 +84,7 @@ def test_composite_roughness(tmp_path):
         (
             "".join(
                 f"variable {name} index x\n"
-                for name in (
-                    "viscosity",
-                    "pressure_viscosity",
-                    "permittivity",
-                    "roughness",
-                    "ball_roughness",
-                )
+                for name in "viscosity pressure_viscosity permittivity roughness ball_roughness".split()
             ),
             "is not a number",
         ),
