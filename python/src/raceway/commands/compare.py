@@ -31,7 +31,6 @@ Exit codes: 0 done, 1 the run or the file cannot be used, 2 wrong command line."
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one_run.add(one)
     recorded.add(one, bearing=False)
     one.add_argument(
@@ -49,10 +48,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the results of a run and a recording side by side, and plot them on request.
-
-    Raise `RacewayError` if the run or the recording cannot be used.
-    """
     from raceway.recordings.compare import compare
     from raceway.recordings.recording import Recording
 

@@ -45,7 +45,6 @@ Exit codes: 0 done, 1 the file cannot be read or has too little data, 2 wrong co
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     recorded.add(one)
     one.add_argument("--raw", action="store_true", help="use the signal, not its envelope")
     harmonics(one)
@@ -73,10 +72,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the results for the recording, and plot them on request.
-
-    Raise `RacewayError` if the file cannot be read or has too little data.
-    """
     from raceway.runs import envelope, spectrum
 
     if arguments.raw and arguments.band:

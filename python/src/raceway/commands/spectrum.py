@@ -47,7 +47,6 @@ Exit codes: 0 done, 1 the run is broken or has no such signal, 2 wrong command l
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one_run.add(one)
     one.add_argument(
         "--signal",
@@ -94,7 +93,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the lines of the run, and plot them on request."""
     from raceway.runs import envelope
     from raceway.runs.spectrum import lines, of_run
 

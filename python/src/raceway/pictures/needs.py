@@ -42,10 +42,7 @@ def picture(found: Needs, path: FilePath) -> None:
             colour = INK if bright or not math.isfinite(value) else "white"
             effect.text(k, i, percent(value), ha="center", va="center", fontsize=9, color=colour)
         effect.set_yticks(range(len(rows)), [label for label, _ in rows])
-        effect.set_xticks(
-            range(len(words)),
-            [_head(word, found.wanted) for word in words],
-        )
+        effect.set_xticks(range(len(words)), [_head(word, found.wanted) for word in words])
         effect.tick_params(length=0)
         effect.spines[:].set_visible(False)
         effect.set_title("relative effect on the results")

@@ -74,12 +74,7 @@ def theory(tables: RunTables) -> dict[int, dict[str, Floats]]:
         Oil(
             *(
                 settings[name]
-                for name in (
-                    "viscosity_Pa_s",
-                    "pressure_viscosity_per_Pa",
-                    "permittivity",
-                    "roughness_m",
-                )
+                for name in "viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m".split()
             )
         )
         if filmed(tables)

@@ -25,15 +25,7 @@ import yaml
 from raceway import catalogue, inputs
 from raceway.runs.settings import deck_words
 from raceway.runs.tables import RunTables
-from raceway.theory import (
-    asperity,
-    capacitance,
-    film,
-    film_factors,
-    hertz,
-    rolling,
-    traction,
-)
+from raceway.theory import asperity, capacitance, film, film_factors, hertz, rolling, traction
 from raceway.theory.bearing import INNER
 from raceway.theory.friction_torque import Surfaces
 

@@ -197,10 +197,7 @@ def contacts_of(run: Run, whole: xr.Dataset) -> xr.Dataset:
 
 
 def fields(
-    run: Run,
-    whole: xr.Dataset,
-    voltage: float,
-    strength: float = film_voltage.STRENGTH,
+    run: Run, whole: xr.Dataset, voltage: float, strength: float = film_voltage.STRENGTH
 ) -> xr.Dataset:
     """Return the effect of a `voltage` (V) between the rings as a Dataset.
 

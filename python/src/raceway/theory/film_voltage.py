@@ -20,7 +20,6 @@ STRENGTH = 15e6  # V/m, lower end of the range for smooth thin films (from memor
 PEAKS = 3.0  # local reduction of the film thickness, in standard deviations of the roughness
 # A/m^2, limits for the peak current divided by the Hertz area (from memory, unchecked)
 HARMLESS, HARMFUL = 0.1e6, 0.7e6
-HARDNESS = 7.5e9  # Pa, hardness of bearing steel, which is 7 to 8 GPa (from memory, unchecked)
 STATES = ("capacitive", "leaking", "metallic")
 
 
@@ -130,22 +129,6 @@ def states(asperity_share: Numbers, loss: Numbers = 0.0) -> Numbers:
     return np.where(np.asarray(asperity_share) > CONDUCTS, 2, np.where(np.asarray(loss) > 1, 1, 0))[
         ()
     ]
-
-
-def real_area(asperity_share: Numbers, load: Numbers, hardness: float = HARDNESS) -> Numbers:
-    """Return A_r = L_a Q/H_m in m^2, the area of metallic contact if asperities carry the fraction
-    L_a of a load Q in N."""
-    return asperity_share * load / _positive("hardness", hardness)
-
-
-def constriction(area: Numbers, spots: int, resistivity: float) -> Numbers:
-    """Return the resistance rho/(2 n a) in ohm of a metallic contact `area` (m^2) that is divided
-    into `spots` round spots without oxide films (Holm; from memory, unchecked). `resistivity` is
-    the resistivity of the metal in ohm m."""
-    if spots < 1:
-        raise ValueError(f"spots = {spots} must be 1 or more")
-    radius = np.sqrt(_positive("area", area) / (np.pi * spots))
-    return resistivity / (2 * spots * radius)
 
 
 def _positive(name, value):

@@ -28,9 +28,7 @@ from raceway.theory import (
     thrust_motion,
     validity,
 )
-from raceway.theory import (
-    models as model_names,
-)
+from raceway.theory import models as model_names
 from raceway.theory.bearing import INNER, DoubleRow, Layout
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import lubricate, turning
