@@ -21,7 +21,7 @@ def bench_file(name):
     return PAGES / name
 
 
-def publish(title, text, **parts):
+def publish(title, text, /, **parts):
     """Print a page and, unless the command line has the word --print, write it to build/bench under
     the name of the script. `parts` replace the names in braces in `text`; a list is joined to
     lines. {machine} is the description of the machine."""

@@ -80,28 +80,21 @@ def run(arguments: argparse.Namespace) -> None:
 
 def figures(found: "Comparison") -> dict[str, Any]:
     """Return the results of run and recording for JSON; values that were not found are None."""
+    from raceway.arrays import plain
+
     sides = {
         name: {"title": side.title, "rate_Hz": side.rate, "shaft_Hz": side.shaft}
         | {"unit": side.units}
-        | {key: _known(value) for key, value in side.level._asdict().items()}
+        | side.level._asdict()
         for name, side in (("run", found.run), ("recording", found.recording))
     }
     orders = ("nominal", "run", "recording")
     lines = [
-        {
-            f"{key}_order" if key in orders else key: (
-                value if isinstance(value, str | int) else _known(value)
-            )
-            for key, value in one._asdict().items()
-        }
+        {f"{key}_order" if key in orders else key: value for key, value in one._asdict().items()}
         | {f"{key}_amplitude_unit": sides[key]["unit"] for key in sides}
         for one in found.lines
     ]
-    return sides | {"band_Hz": list(found.band), "lines": lines}
-
-
-def _known(value):
-    return float(value) if math.isfinite(value) else None
+    return plain(sides | {"band_Hz": list(found.band), "lines": lines})
 
 
 def text(found: "Comparison") -> str:

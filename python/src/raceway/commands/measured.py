@@ -113,6 +113,7 @@ def _over_time(arguments, opened, found):
 
 def _figures(opened: "Recording") -> dict[str, Any]:
     """Return file, speed, levels and warnings for JSON."""
+    from raceway import arrays
     from raceway.recordings import clipping
     from raceway.recordings.recording import level
     from raceway.runs.source import Signal
@@ -121,13 +122,10 @@ def _figures(opened: "Recording") -> dict[str, Any]:
         {
             "name": name,
             "values": len(one.values),
-            "rate_Hz": _known(one.rate),
+            "rate_Hz": one.rate,
             "unit": one.units,
             "mean": float(one.values.mean()),
-            **{
-                key: _known(value)
-                for key, value in level(Signal(one.values, 1 / one.rate, {}))._asdict().items()
-            },
+            **level(Signal(one.values, 1 / one.rate, {}))._asdict(),
             "clipped_share": clipping.share(one.values),
         }
         for name, one in opened.channels.items()
@@ -140,8 +138,8 @@ def _figures(opened: "Recording") -> dict[str, Any]:
         "rpm_uncertainty": 60 * found.uncertainty if found else None,
         "rpm_nominal": opened.nominal_rpm,
         "rpm_from": opened.speed_from,
-        "load_N": _known(opened.load),
-        "channels": channels,
+        "load_N": arrays.plain(opened.load),
+        "channels": arrays.plain(channels),
         "warnings": [
             f"{one['name']} is clipped: {one['clipped_share']:.2g} of its values are at a limit of"
             " the recorder, so levels are too low and lines have additional harmonics"
@@ -149,10 +147,6 @@ def _figures(opened: "Recording") -> dict[str, Any]:
             if one["clipped_share"]
         ],
     }
-
-
-def _known(value):
-    return float(value) if math.isfinite(value) else None
 
 
 def _text(figures):

@@ -181,14 +181,13 @@ def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> s
 
 def plain(line: "Line", unit: str) -> dict[str, Any]:
     """Return a `Line` of a signal in `unit` for JSON; values that were not found are None."""
-    values = line._asdict()
+    from raceway import arrays
+
     places = ("expected", "found", "by_cage")
-    keys = {key: f"{key}_{values['unit']}" if key in places else key for key in values}
-    values["unit"] = unit  # unit of the amplitude
-    return {
-        keys[key]: None if isinstance(value, float) and not math.isfinite(value) else value
-        for key, value in values.items()
-    }
+    values = line._replace(unit=unit)._asdict()  # the unit of the amplitude
+    return arrays.plain(
+        {f"{key}_{line.unit}" if key in places else key: one for key, one in values.items()}
+    )
 
 
 def count(text: str) -> int:
