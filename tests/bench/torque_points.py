@@ -160,15 +160,15 @@ factor of more than 1.5 and SKF's value is above 10 % of SKF's total torque.
 """
 
 WHY = """*Light load and high speed* (0.02 :math:`C_0`, 10,000 rpm): the rolling torque of deep
-groove bearings is 1.16 to 1.5 times SKF's. Friction cannot hold the balls of a 7208B against their
+groove bearings is 1.17 to 1.51 times SKF's. Friction cannot hold the balls of a 7208B against their
 gyroscopic moment. They skid, so they orbit at 0.54 times the speed of the ring instead of 0.42
 times, and their drag is 2.5 times SKF's. Statics solves for this motion (:doc:`tribology`), and a
 run whose inner ring is held in its plane has the same torque within 0.5 % (153 N mm with a cage
 ring; ``tests/scenarios/test_thrust_motion.py``). In a run whose ring is free in its plane, the
 skidding balls make the ring whirl, and the mean torque is 199 N mm. With Eyring's stress in the
-film (``eyring``) the torque is 132 N mm instead of 146 N mm without the cage's losses, and the mean
+film (``eyring``) the torque is 133 N mm instead of 147 N mm without the cage's losses, and the mean
 coefficient of friction is 0.002 to 0.01 instead of 0.05. The balls of a 7205B slide only slowly;
-the torque is 16.4 N mm in statics and in a run and 25.3 N mm according to SKF's formula.
+the torque is 16.6 N mm in statics and in a run and 25.3 N mm according to SKF's formula.
 
 *High load and low speed, combined and axial loads*: rolling is 0.66 to 1.04 times and sliding 0.55
 to 1.0 times SKF's value; both ratios are lowest for balls with spin. SKF's formula adds the radial

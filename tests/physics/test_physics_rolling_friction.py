@@ -16,7 +16,6 @@ from raceway import (
     traction,
 )
 from raceway.core import laws
-from references import film as film_reference
 from references import friction as reference
 from references import spin as gauss_points
 from scipy.optimize import brentq
@@ -330,7 +329,7 @@ def test_rolling_couples(physics, side, cos_angle):
     for speed in (0.0725, 0.7248, 2.899, 14.4946):
         found = of(physics, "all_of", turning(side, speed, cos_angle=cos_angle))
         force = reference.rolling_powers(0.04, MODULUS, r_x, r_y, speed, found.load)
-        factor = 0.9 * float(film_reference.murch_wilson(0.047 * 0.04 * speed**2 / 0.134))
+        factor = 0.9 * float(reference.aihara(0.047 * 0.04 * speed**2 / 0.134))
         assert found.rolling_couple == pytest.approx(factor * 2 * force * r_x, rel=1e-12)
         hysteresis = 0.01 * found.load * 2 * found.b / (3 * np.pi)
         assert found.hysteresis_couple == pytest.approx(hysteresis, rel=1e-13)

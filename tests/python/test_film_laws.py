@@ -4,8 +4,9 @@ limits and finite slopes."""
 
 import numpy as np
 import pytest
-from raceway import film, film_factors, film_gap, film_regimes, hertz, rough_film
+from raceway import film, film_factors, film_gap, film_regimes, hertz, rolling, rough_film
 from raceway.theory.bearing import INNER
+from references import friction as friction_reference
 from scipy import stats
 from scipy.integrate import quad
 
@@ -42,15 +43,16 @@ def test_inlet_shear(bearing):
 
 
 @pytest.mark.parametrize("law", [film_factors.murch_wilson, film_factors.wilson,
-                                 film_factors.aihara])  # fmt: skip
+                                 rolling.inlet_shear])  # fmt: skip
 def test_inlet_shear_falls_from_one(law):
     assert law(0.0) == 1
     assert np.all(np.diff(law(np.geomspace(1e-6, 1e3, 200))) < 0)
 
 
-def test_aihara_by_hand():
-    assert film_factors.aihara(1.0) == pytest.approx(1 / 1.29, rel=1e-15)
-    assert film_factors.aihara(10.0) == pytest.approx(1 / (1 + 0.29 * 10**0.78), rel=1e-15)
+def test_inlet_shear_of_the_rolling_torque():
+    loading = np.array([1e-3, 0.0074, 1.0, 2.948, 10.0])
+    exact = [float(friction_reference.aihara(one)) for one in loading]
+    assert rolling.inlet_shear(loading) == pytest.approx(exact, rel=1e-14)
 
 
 def test_gupta_knows_sliding_and_its_range():

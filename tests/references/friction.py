@@ -49,6 +49,10 @@ def roelands(viscosity, xi, pressure):
         return viscosity * mpmath.exp(lift * ((1 + mpf(pressure) / mpf("1.96e8")) ** z - 1))
 
 
+def aihara(loading):
+    return 1 / (1 + mpf("0.29") * mpf(loading) ** mpf("0.78"))
+
+
 def film_coefficient(viscosity, xi, pressure, rate, stress, limit, points=None):
     """Return the mean Eyring stress over the ellipse, limited to `limit` p, divided by the mean
     pressure. It is computed by adaptive quadrature, or with a given number of Gauss `points` in

@@ -160,6 +160,11 @@ FORMULA(double, rolling_force,
   return rolling_force(rolling_shape(k, r_x), logarithm(std::fabs(speed)), load, std::cbrt(load));
 }
 
+FORMULA(double, rolling_inlet_shear, (double loading))
+{
+  return rolling_inlet_shear(logarithm(loading));
+}
+
 // These two functions return the fraction of the flooded resistance, computed by quadrature (which
 // is exact) and by the interpolation that is used in contacts.
 FORMULA(double, inlet_share, (double length, double thickness))

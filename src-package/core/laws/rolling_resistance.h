@@ -7,7 +7,8 @@
 //   f/(E' R_x^2) = (I - E)/(1 + M/6.6) + E,  r = R_y/R_x,  U = eta u/(E' R_x),  W = Q/(E' R_x^2),
 //   I = 2.9766 r^0.3316 W^(1/3) U^(2/3),  E = 7.5826 r^0.4055 W^(1/3) U^(3/4),
 //   M = 0.5549 r^-0.6029 W U^(-3/4).
-// Inlet shear heats the oil (murch_wilson in film_factors.h).
+// Inlet shear heats the oil, which reduces f by 1/(1 + 0.29 L^0.78), L being the thermal loading of
+// film_factors.h (Aihara 1987).
 //
 // Hysteresis of the steel causes a couple alpha Q 2b/(3 pi) (Johnson 1985, section 9.4).
 #pragma once
@@ -51,6 +52,12 @@ RACEWAY_INLINE T rolling_force(const RollingShapeT<T> &k, const T &ln_u, const T
   const T v = exponential(T(ln_u * (1.0 / 12.0))), v2 = v * v, v4 = v2 * v2, v8 = v4 * v4;
   const T v9 = v8 * v, elastic = k.elastic * v;
   return k.rigid * root * v8 * ((1.0 - elastic) * v9 / (v9 + k.mean * load) + elastic);
+}
+
+// Returns the inlet shear factor of the force f from ln L.
+template <class T> RACEWAY_INLINE T rolling_inlet_shear(const T &ln_L)
+{
+  return 1.0 / (1.0 + 0.29 * exponential(T(0.78 * ln_L)));
 }
 
 // Returns the couple due to hysteresis, N m.

@@ -40,8 +40,6 @@ struct HydrodynamicRollingPart : PartBase {
     double length = 0.0;    // inlet length in units of the semi-axis b; 0: flooded
     // computed by prepare()
     double ln_heating = 0.0;
-    double of_film = 0.0;    // if not 0: inlet shear factor relative to the film factor in which it
-                             // is included
     RollingConstants force;
     RollingShapeT<double> radial{};    // at zero contact angle
     RollingInlet inlet;
@@ -51,9 +49,6 @@ struct HydrodynamicRollingPart : PartBase {
       ln_heating = std::log(beta * eta / conductivity);
       force = {eta, p.material.Eprime(), p.transverse_radius()};
       radial = rolling_shape(force, p.rolling_radius(1.0));
-      const bool same =
-          p.factors.inlet_shear == InletShear::murch && ln_heating == p.factors.ln_loading;
-      of_film = same ? 1.0 / p.factors.starvation : 0.0;
       inlet.prepare(length);
     }
   };
@@ -93,8 +88,7 @@ struct HydrodynamicRollingPart : PartBase {
     const B root = k.K * k.unit * held(c.root);    // cube root of the load
     const B f =
         rolling_force(shape(own, p, c.cos_angle, radius), c.ln_speed, B(held(c.load)), root);
-    const B shear = own.of_film > 0.0 ? B(own.of_film * c.film_factor)
-                                      : murch_wilson(B(own.ln_heating + 2.0 * c.ln_speed));
+    const B shear = rolling_inlet_shear(B(own.ln_heating + 2.0 * c.ln_speed));
     B couple = 2.0 * own.starvation * f * radius * shear;
     if (own.inlet.short_inlet)
       couple = couple * own.inlet.share(held_central_film(p, k, c), B(k.b * held(c.root)), radius);

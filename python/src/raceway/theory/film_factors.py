@@ -55,11 +55,6 @@ def wilson(loading: Numbers) -> Numbers:
     return laws.inlet_shear(WILSON, loading)
 
 
-def aihara(loading: Numbers) -> Numbers:
-    """Return the factor 1/(1 + 0.29 L^0.78) on the hydrodynamic rolling torque (Aihara 1987)."""
-    return 1 / (1 + 0.29 * loading**0.78)
-
-
 def flooded_inlet(r_x: Numbers, b: Numbers, h_c: Numbers) -> Numbers:
     """Return m* = 1 + 3.06 ((R_x/b)^2 h_c/R_x)^0.58: a contact is fully flooded if its inlet
     meniscus is farther than m* b away (Hamrock and Dowson; from memory, unchecked). Lengths are in

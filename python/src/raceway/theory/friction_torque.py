@@ -298,7 +298,7 @@ def rolling_force(
         fluid.temperature_viscosity, fluid.viscosity, speed, fluid.conductivity
     )
     inlet = rolling.inlet(surfaces.inlet, h_c, b, r_x) if len(b) else 1.0
-    factor = film_factors.murch_wilson(loading) * surfaces.starvation * inlet
+    factor = rolling.inlet_shear(loading) * surfaces.starvation * inlet
     oil, modulus = fluid.viscosity, bearing.effective_modulus
     return 2 * factor * rolling.hydrodynamic(oil, modulus, r_x, r_y, speed, load)
 

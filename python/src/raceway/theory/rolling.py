@@ -25,6 +25,12 @@ def hydrodynamic(
     return laws.rolling_force(viscosity, modulus, r_x, r_y, speed, load)
 
 
+def inlet_shear(loading: Numbers) -> Numbers:
+    """Return the fraction 1/(1 + 0.29 L^0.78) of `hydrodynamic` that remains where shear heats the
+    oil in the inlet (Aihara 1987, for the rolling torque). L is `film_factors.thermal_loading`."""
+    return laws.rolling_inlet_shear(loading)
+
+
 def inlet(length: float, h_c: Numbers, b: Numbers, r_x: Numbers) -> Numbers:
     """Return the fraction of `hydrodynamic`, between 1/2 and 1, that remains if the inlet has the
     given `length` in multiples of b. A length of 0 means a fully flooded inlet, and 1 is the
