@@ -18,16 +18,15 @@ import contextlib
 import os
 import resource
 import shutil
-import statistics
 import subprocess
 import sys
 import tempfile
 from datetime import date
 from pathlib import Path
 
-from machine import machine
+from machine import ROOT, machine
+from machine import spread as spread_of
 
-ROOT = Path(__file__).resolve().parents[2]
 IMPLICIT, VERLET = ("in.implicit_cost", 20_000), ("in.cost", 100_000)
 SCENES = [  # name, (deck, steps), variables
     ("dry, implicit", IMPLICIT, {"lubricant": "dry"}),
@@ -127,9 +126,7 @@ def ratios(other, rounds, instructions):
 
 
 def spread(values):
-    if not values:
-        return "-"
-    return f"{statistics.median(values):.3f} ({min(values):.3f} to {max(values):.3f})"
+    return spread_of(values, ".3f") if values else "-"
 
 
 def page(name, found, rounds):

@@ -19,7 +19,9 @@ import tempfile
 import time
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+from against import git
+from machine import ROOT, spread
+
 PART = "core/parts/part_drag.h"
 
 
@@ -68,14 +70,7 @@ def main():
     parser.add_argument("--rounds", type=int, default=3)
     options = parser.parse_args()
     head, other = (
-        subprocess.run(
-            ["git", "rev-parse", "--short", f"{name}^{{commit}}"],
-            cwd=ROOT,
-            check=True,
-            capture_output=True,
-            text=True,
-        ).stdout.strip()
-        for name in ("HEAD", options.revision)
+        git("rev-parse", "--short", f"{name}^{{commit}}") for name in ("HEAD", options.revision)
     )
     for target in options.targets.split(","):
         found = {head: [], other: []}
@@ -91,8 +86,8 @@ def main():
         ratios = [a[0] / b[0] for a, b in zip(found[head], found[other])]
         walls = {name: statistics.median(w for _, w in of) for name, of in found.items()}
         print(
-            f"make {target}: {head} takes {statistics.median(ratios):.2f} times the CPU seconds of"
-            f" {other} (median of {len(ratios)}, {min(ratios):.2f} to {max(ratios):.2f});"
+            f"make {target}: {head} takes {spread(ratios, '.2f')} times the CPU seconds of {other}"
+            f" (median of {len(ratios)} and range);"
             f" {walls[head]:.0f} and {walls[other]:.0f} s of wall time"
         )
 

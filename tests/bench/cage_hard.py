@@ -18,15 +18,10 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
-from machine import bench_file, csv_table
+from deck_runs import MAIN, succeed
+from machine import csv_table, publish
+from raceway.runs.run import Run
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
-
-from host import succeed  # noqa: E402
-from raceway.runs.run import Run  # noqa: E402
-
-TARGET = bench_file("cage_hard.rst")
 DECK = "tests/scenarios/in.cage_ring"
 ORBIT = (1 - 6.3e-3 / ((24.0e-3 + 36.605e-3) / 2)) / 2  # cage speed divided by shaft speed
 WORDS = "friction 0.1 wall 1e6 planar yes"
@@ -97,7 +92,7 @@ def moments(folder, integrator):
     out = folder / f"7208B.{integrator}"
     loads = dict(load=3500, axial=5000, moment_x=25, moment_y=15, rpm=1500)
     own = dict(bearing="7208B", cage="ring", models="full", settle=2, passes=4)
-    succeed("inputs/in.6208", out=out, integrator=integrator, **own, **loads)
+    succeed(MAIN, out=out, integrator=integrator, **own, **loads)
     run = Run(out)
     names = ["ball_pocket_force", "ring_spin", "bearing_cage_speed"]
     record = run.tables.record.read(names)
@@ -133,10 +128,10 @@ def main(argv):
             body.append(cells)
             print(*cells, sep="; ", flush=True)
     head = ["scene", "largest pocket force, N", "all pockets, N", "cage, rad/s", "torque, N m"]
-    text = ["Results with the implicit integrator, and their difference from velocity Verlet", ""]
-    text += csv_table(head, body)
-    if "--print" not in argv:
-        TARGET.write_text("\n".join(text))
+    text = (
+        "Results with the implicit integrator, and their difference from velocity Verlet\n\n{table}"
+    )
+    publish("Cages under hard conditions", text, table=csv_table(head, body))
     return 0 if good else 1
 
 

@@ -19,16 +19,11 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from machine import bench_file, csv_table
+from deck_runs import MAIN, ROOT, liggghts
+from machine import csv_table, publish
+from raceway.runs.run import Run
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
-
-from host import liggghts  # noqa: E402
-from raceway.runs.run import Run  # noqa: E402
-
-TARGET = bench_file("cage_slip.rst")
-DECK = ROOT / "inputs" / "in.6208"
+DECK = ROOT / MAIN
 WEIGHT = "fix weight all gravity 9.81 vector 0 ${down} 0\n"
 # ratio of play to ball diameter, what guides the cage, sign of the weight along y
 HELD = "held in the middle"
@@ -122,7 +117,7 @@ def table(title, rows, measured):
     return [title, "", *csv_table(head, body)]
 
 
-def main(argv):
+def main():
     cases = (
         ("Slip, %, MFPT's geometry, 1485 rpm", MFPT, MEASURED, 1485),
         ("Slip, %, 6203, 1500 rpm", SKF_6203, PADERBORN, 1500),
@@ -154,11 +149,9 @@ def main(argv):
             [[f"{k[0]}", f"{k[1]}", f"{order[k][0]:.5f}", f"{v:.1e}"] for k, v in change.items()],
         )
         good &= max(change[20, 10], change[50, 30]) < 1e-4
-    print("\n".join(text))
-    if "--print" not in argv:
-        TARGET.write_text("\n".join(text))
+    publish("Slip of a cage", "{text}", text=text)
     return 0 if good else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

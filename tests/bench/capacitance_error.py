@@ -24,11 +24,6 @@ PLAYS = np.array([5e-6, 10e-6, 20e-6])  # m
 PERMITTIVITY = 2.2
 PROMISE = 0.015
 PAGE = """\
-Error of the closed-form capacitance
-====================================
-
-Written by ``tests/bench/capacitance_error.py`` (``make bench``).
-
 :doc:`../electric` gives a closed-form expression for the capacitance of a contact and its
 surroundings. Here it is compared with numerical integrals. The error refers to the sum of the
 capacitances of plates and surroundings. The oil has a relative permittivity of {permittivity} at
@@ -129,16 +124,17 @@ def main() -> int:
     places = [(size, f, side) for size in SIZES for f in CONFORMITIES for side in (INNER, OUTER)]
     found = {place: errors(*place) for place in places}
     worst = max(one.inside for one in found.values())
-    page = PAGE.format(
+    publish(
+        "Error of the closed-form capacitance",
+        PAGE,
         permittivity=PERMITTIVITY,
         count=len(SEPARATIONS) * (1 + len(LOADS)),
         loads=", ".join(f"{load:g}" for load in LOADS),
         depth=groove_width.USUAL_DEPTH,
         worst=100 * worst,
         promise=100 * PROMISE,
-        table="\n".join(csv_table(HEADS, [row(*place, one) for place, one in found.items()])),
+        table=csv_table(HEADS, [row(*place, one) for place, one in found.items()]),
     )
-    publish("capacitance_error.rst", page)
     return worst >= PROMISE
 
 

@@ -4,10 +4,13 @@
 import re
 import subprocess
 import sys
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+from machine import ROOT
 
+sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
+from host import liggghts as liggghts  # noqa: E402
+from host import succeed as succeed  # noqa: E402
+from host import tables as tables  # noqa: E402
 
 MAIN = "inputs/in.6208"
 

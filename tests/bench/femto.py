@@ -17,6 +17,7 @@ import matplotlib
 import numpy as np
 import raceway
 from deck_runs import MAIN, ROOT, run_deck
+from machine import publish
 from raceway import heat, heat_scene, inputs
 from raceway.core import laws, library
 from scipy import integrate, optimize
@@ -25,7 +26,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot as plt  # noqa: E402
 
 HERE = Path(__file__).with_suffix("")
-PAGE, PICTURE = ROOT / "build/bench/femto.rst", ROOT / "docs/images/femto.png"
+PICTURE = ROOT / "docs/images/femto.png"
 AMBIENT, LOAD, RPM, OIL = 26.5, 4000.0, 1800.0, "vg68"
 FIRST, LAST = 10.0, 240.0  # min, time range of the fit
 GUESS = dict(seat=0.45, housing=1.1, capacity=2200.0)
@@ -202,9 +203,8 @@ def main():
     table = losses()
     of, worst = fit(table)
     picture(table, of)
-    lines = ["Temperatures of the PRONOSTIA bearing", "=" * 37, ""]
     own = capacities()
-    lines += [
+    lines = [
         f"Capacities of inner ring, balls and outer ring: {own[0]:.2f}, {own[1]:.2f},"
         f" {own[2]:.2f} J/K.",
         f"Fitted: outer ring to housing {of['seat']:.3f} W/K, housing to ambient"
@@ -220,14 +220,13 @@ def main():
     for change in (4.0, 2.0, 1.0):
         error, passes = error_of_jumps(table, of, change)
         lines.append(f"* largest change {change:g} K: error {error:.3f} K with {passes} passes")
-    lines.append("")
-    print("\n".join(lines), flush=True)
     hot = cold_start(of, ROOT / "build/bench/femto")
     last = hot.isel(thermal_time=-1)
     run, thermal = float(last["run_time"]), float(last["thermal_time"])
     balance = float(last["booked"] - last["carried"] - last["stored"]) / float(last["booked"])
     outer = float(last["temperature_outer"])
-    more = [
+    lines += [
+        "",
         f"Cold start of {thermal:g} s, simulated in a run of {run:.3f} s"
         f" (1/{thermal / run:.0f} of that time): outer ring {outer:.2f} C,"
         f" with the losses of statics"
@@ -240,10 +239,8 @@ def main():
         abs(float(last[f"temperature_{p}"] - fine[f"temperature_{p}"]))
         for p in ("inner", "balls", "outer", "housing")
     )
-    more.append(f"With jumps of at most 0.25 K, the final temperature differs by {change:.3f} K.")
-    print("\n".join(more))
-    PAGE.parent.mkdir(parents=True, exist_ok=True)
-    PAGE.write_text("\n".join([*lines, *more, ""]))
+    lines.append(f"With jumps of at most 0.25 K, the final temperature differs by {change:.3f} K.")
+    publish("Temperatures of the PRONOSTIA bearing", "{lines}\n", lines=lines)
 
 
 if __name__ == "__main__":

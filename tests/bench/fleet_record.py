@@ -13,22 +13,30 @@ write a record.
 
 import sys
 import tempfile
-from datetime import date
 from pathlib import Path
 
 import against
 import raceway
-from machine import bench_file, csv_table, machine
+from machine import csv_table, publish
 
 WITHIN = 5  # samples per host step
 STEP = 8.75e-4  # s; at this step, there are 200 samples per ball pass, as in the main deck
 STEPS = {1: 4000, 100: 80, 1000: 20}  # {number of bearings: host steps}
 MODELS = ("paper", "full")
-PAGE = bench_file("fleet_record.rst")
+PAGE = """\
+Cost of a run that records all contacts at {within} instants per host step of {step:g} ms (200
+samples per ball pass), divided by the cost of the same run without output: median (range) over
+{rounds} rounds.
+
+{table}
+
+{machine}
+"""
 DECK = """include inputs/in.many
 undump table
 unfix record
 {record}
+
 run {steps}
 """
 RECORD = "fix record all bearing/record 1 {out} within {within} overwrite yes"
@@ -90,20 +98,9 @@ def main(rounds=5):
                 found = ratios(Path(folder), bearings, models, rounds, instructions)
             rows.append((models, bearings, *map(against.spread, found)))
             print(*rows[-1], flush=True)
-    lines = [
-        "Recording fleets",
-        "================",
-        "",
-        f"Cost of a run that records all contacts at {WITHIN} instants per host step of"
-        f" {STEP * 1e3:g} ms (200 samples per",
-        "ball pass), divided by the cost of the same run without output: median (range) over",
-        f"{rounds} rounds, {date.today()}.",
-        "",
-        *csv_table(("models", "bearings", "user seconds", "instructions"), rows),
-        *(f"- {fact}" for fact in machine()),
-    ]
-    PAGE.write_text("\n".join(lines) + "\n")
-    print(f"wrote {PAGE}")
+    table = csv_table(("models", "bearings", "user seconds", "instructions"), rows)
+    step = STEP * 1e3
+    publish("Recording fleets", PAGE, within=WITHIN, step=step, rounds=rounds, table=table)
 
 
 if __name__ == "__main__":

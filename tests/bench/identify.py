@@ -14,11 +14,11 @@ import numpy as np
 import pandas as pd
 import raceway
 from deck_runs import MAIN, ROOT, run_deck
+from machine import bench_file, publish
 from raceway import identify
 from raceway.recordings import line_table
 from raceway.recordings.readings import Point, Reading, Readings
 
-PAGE = ROOT / "build/bench/identify.rst"
 POINTS = Point(1797.0), Point(1797.0, axial_more=300.0), Point(3000.0, load_more=100.0)
 RANGES = {
     "clearance": (0.0, 15e-6),
@@ -110,8 +110,7 @@ def inside(state, found):
 
 def main():
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 30
-    PAGE.parent.mkdir(parents=True, exist_ok=True)
-    page, missed = ["Hidden states of runs", "=====================", ""], False
+    page, missed = [], False
     for title, one in (
         ("Cage speed and capacitance at three points", capacitances),
         ("Four lines at one point", lines),
@@ -119,7 +118,7 @@ def main():
         page += [title, "-" * len(title), ""]
         score, rows = {}, []
         for number in range(count):
-            state, found = one(number, PAGE.parent / "identify")
+            state, found = one(number, bench_file("identify"))
             for name, right in inside(state, found).items():
                 score.setdefault(name, []).append(right)
             cells = [
@@ -132,7 +131,7 @@ def main():
         page += [f"True values inside the 95 % intervals: {', '.join(said)}.", "", *rows, ""]
         print(page[-len(rows) - 3])
         missed |= any(np.mean(rights) < WANTED for rights in score.values())
-    PAGE.write_text("\n".join(page))
+    publish("Hidden states of runs", "{page}", page=page)
     sys.exit(missed)
 
 

@@ -9,17 +9,14 @@ the parts of a step.
 
 import re
 import shutil
-import statistics
 import subprocess
 import tempfile
-from datetime import date
 from math import log, pi, sin
 from pathlib import Path
 
 from deck_runs import ROOT, command, nanoseconds, run_deck
-from machine import bench_file, csv_table, machine
+from machine import csv_table, publish, spread
 
-PAGE = bench_file("implicit_cost.rst")
 ROUNDS = 5
 BALLS = 9
 STEPS = 20_000
@@ -54,6 +51,51 @@ SCENES = [  # name, variables of in.implicit_cost, index of the scene to compare
     ("energy account", dict(control=f"{PLAIN} 1 energy yes"), 2),
 ]
 AROUND = [(3, 5, 1), (4, 6, 10)]  # scenes without and with surroundings, samples per step
+FEATURES = (
+    *("scene", "ns per host step", "adds (ns)", "internal steps per host step"),
+    "corrections per internal step",
+)
+SIZES = (
+    *("balls", "ns per correction", "ns per correction and ball"),
+    "corrections per internal step",
+)
+PAGE = """\
+The bearing is a 6208 (5 kN, 477.5 rpm, mineral oil). Each of {rounds} rounds runs all scenes, with
+{steps} host steps of 0.1 ms; the tolerance is 0.1 µm. *Adds* is the difference from the scene on
+which a row builds, measured in the same round. The values are medians, with the range over the
+rounds in brackets.
+
+Feature by feature
+------------------
+
+{features}
+
+The surroundings of a ball cost {end} ns per sample at the end of a step, with or without contact.
+At ten instants within the step they cost {instants} ns.
+
+Part by part
+------------
+
+{parts}
+
+Cost against number of balls
+----------------------------
+
+Pitch circle, load and number of balls of these bearings are scaled up by the same factor. The scene
+includes film, cage and a free ring; the order is 1.
+
+{sizes}
+
+With one correction, the time per host step scales as the number of balls to the power {order}. The
+time for the blocks of four balls, for the chain of cage contacts and for the coupling to the rings
+is proportional to the number of balls. Part of the host's step does not depend on this number.
+
+{machine}
+"""
+PROFILED = """\
+All features are on, with order 2 and the capacitance at 10 instants per step. The fractions refer
+to the processor time of a long run (perf record).
+"""
 HOST = ("the host's own step, 20 free particles", dict())
 ROWS = (9, 18, 36)
 # patterns of symbols in the profile, in the order in which they are tried
@@ -61,10 +103,7 @@ PARTS = [
     ("contact forces and derivatives", r"BearingForces::(\w*raceways|evaluate)"),
     ("cage rails", "BearingForces::rails"),
     ("cage contacts", "BearingForces::pockets"),
-    (
-        "linear solve",
-        "BearingSystem::|BearingIntegrator::(solve_stage|apply)|DenseLU|LinkChain",
-    ),
+    ("linear solve", "BearingSystem::|BearingIntegrator::(solve_stage|apply)|DenseLU|LinkChain"),
     (
         "motion of bodies and rings",
         "BearingIntegrator::|BearingBodies::|raceway::moved|raceway::between|rotate",
@@ -128,13 +167,6 @@ def profile():
     return shares if sum(shares.values()) > 50 else None
 
 
-def spread(values, form="{:.0f}"):
-    return (
-        f"{form.format(statistics.median(values))} ({form.format(min(values))} to"
-        f" {form.format(max(values))})"
-    )
-
-
 def main():
     rounds = []
     for number in range(ROUNDS):
@@ -149,118 +181,43 @@ def main():
         [r[1 : 1 + len(SCENES)] for r in rounds],
         [r[1 + len(SCENES) :] for r in rounds],
     )
-    lines = [
-        ".. written by make bench (tests/bench/implicit_cost.py); do not edit",
-        "",
-        "Cost of an implicit step",
-        "========================",
-        "",
-        (
-            f"Measured on {date.today()}, {ROUNDS} rounds of {STEPS} host steps, all scenes in"
-            " every round:"
-        ),
-        "",
-    ]
-    lines += [f"- {fact}" for fact in machine()]
-    lines += [
-        "",
-        *"""\
-The bearing is a 6208 (5 kN, 477.5 rpm, mineral oil). Host steps are 0.1 ms long, and the tolerance
-is 0.1 µm. *Adds* is the difference from the scene on which a row builds, measured in the same
-round. The values are medians, with the range over the rounds in brackets.
-""".splitlines(),
-        "",
-        "Feature by feature",
-        "------------------",
-        "",
-    ]
-    body = [(HOST[0], spread([m[0] for m in empty]), "", "", "")]
+    body = [(HOST[0], spread([m[0] for m in empty], ".0f"), "", "", "")]
     for k, (name, _, base) in enumerate(SCENES):
         times = [r[k][0] for r in scenes]
-        added = spread([r[k][0] - r[base][0] for r in scenes]) if base is not None else ""
-        body.append(
-            (name, spread(times), added, f"{scenes[0][k][1]:.2f}", f"{scenes[0][k][2]:.2f}")
-        )
-    lines += csv_table(
-        (
-            "scene",
-            "ns per host step",
-            "adds (ns)",
-            "internal steps per host step",
-            "corrections per internal step",
-        ),
-        body,
-    )
-    cost = [spread([(r[w][0] - r[p][0]) / (BALLS * n) for r in scenes]) for p, w, n in AROUND]
-    lines += [
-        (
-            f"The surroundings of a ball cost {cost[0]} ns per sample at the end of a step, with or"
-            f" without contact. At ten instants within the step they cost {cost[1]} ns."
-        ),
-        "",
-        "Part by part",
-        "------------",
-        "",
-    ]
+        added = spread([r[k][0] - r[base][0] for r in scenes], ".0f") if base is not None else ""
+        inside = (f"{value:.2f}" for value in scenes[0][k][1:])
+        body.append((name, spread(times, ".0f"), added, *inside))
+    around = [[(r[w][0] - r[p][0]) / (BALLS * n) for r in scenes] for p, w, n in AROUND]
     shares = profile()
+    parts = ["Not measured, because perf was not installed.", ""]
     if shares:
-        lines += [
-            (
-                "All features are on, with order 2 and the capacitance at 10 instants per step."
-                " The fractions refer to the processor time of a long run (perf record)."
-            ),
-            "",
-        ]
-        lines += csv_table(
-            ("part", "fraction (%)"), [(name, f"{share:.1f}") for name, share in shares.items()]
-        )
-    else:
-        lines += ["Not measured, because perf was not installed.", ""]
-    lines += [
-        "Cost against number of balls",
-        "----------------------------",
-        "",
-        (
-            "Pitch circle, load and number of balls of these bearings are scaled up by"
-            " the same factor. The scene includes film, cage and a free ring; the order is 1."
-        ),
-        "",
-    ]
+        found = [(name, f"{share:.1f}") for name, share in shares.items()]
+        parts = [*PROFILED.splitlines(), "", *csv_table(("part", "fraction (%)"), found)]
     ns = {balls: [r[k][0] / r[k][1] / r[k][2] for r in rows] for k, balls in enumerate(ROWS)}
-    lines += csv_table(
+    sizes = [
         (
-            "balls",
-            "ns per correction",
-            "ns per correction and ball",
-            "corrections per internal step",
-        ),
-        [
-            (
-                balls,
-                spread(ns[balls]),
-                spread([t / balls for t in ns[balls]], "{:.1f}"),
-                f"{rows[0][k][2]:.2f}",
-            )
-            for k, balls in enumerate(ROWS)
-        ],
-    )
+            balls,
+            spread(ns[balls], ".0f"),
+            spread([t / balls for t in ns[balls]], ".1f"),
+            f"{rows[0][k][2]:.2f}",
+        )
+        for k, balls in enumerate(ROWS)
+    ]
     orders = [
         log(ns[ROWS[-1]][k] / ns[ROWS[0]][k]) / log(ROWS[-1] / ROWS[0]) for k in range(ROUNDS)
     ]
-    lines += [
-        (
-            "With one correction, the time per host step scales as the number of balls to the"
-            f" power {spread(orders, '{:.2f}')}."
-        ),
-        *"""\
-The time for the blocks of four balls, for the chain of cage contacts and for the coupling to the
-rings is proportional to the number of balls. Part of the host's step does not depend on this
-number.
-""".splitlines(),
-        "",
-    ]
-    PAGE.write_text("\n".join(lines))
-    print("\n".join(lines))
+    publish(
+        "Cost of an implicit step",
+        PAGE,
+        rounds=ROUNDS,
+        steps=STEPS,
+        features=csv_table(FEATURES, body),
+        end=spread(around[0], ".0f"),
+        instants=spread(around[1], ".0f"),
+        parts=parts,
+        sizes=csv_table(SIZES, sizes),
+        order=spread(orders, ".2f"),
+    )
 
 
 if __name__ == "__main__":

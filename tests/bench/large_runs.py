@@ -13,13 +13,24 @@ longer than LONGEST.
 import subprocess
 import sys
 import time
-from datetime import date
 from pathlib import Path
 
 from deck_runs import MAIN, ROOT, run_deck
-from machine import bench_file, csv_table, machine
+from machine import csv_table, publish
 
 LIMIT = 1000  # MB
+PAGE = """\
+{passes} ball passes of the main deck with {samples} samples; the size of ``record.nc`` is
+{size:.2f} GB.
+
+Each task runs in a separate process. The seconds do not include the time to load the package, which
+is given in the first row. Files may or may not be in the page cache. Memory is the largest resident
+size of the process.
+
+{table}
+
+{machine}
+"""
 FIGURES, LARGEST = "all figures (`raceway summary`)", "largest load of each ball"
 LONGEST = {FIGURES: 3.0, LARGEST: 1.0}  # s
 TASKS = {  # {name: statements with `run`, executed in a separate process}
@@ -105,32 +116,11 @@ def main():
     for name, task in TASKS.items():
         rows.append((name, *measure(folder, task, passes * 100)))
         print("{:<52}{:8.1f} s{:8.0f} MB".format(*rows[-1]), flush=True)
-    lines = [
-        ".. written by make bench (tests/bench/large_runs.py); do not edit",
-        "",
-        "Large runs",
-        "==========",
-        "",
-        f"Measured on {date.today()}: {passes} ball passes of the main deck with {passes * 200}"
-        f" samples; the size of ``record.nc`` is {size:.2f} GB.",
-        "",
-    ]
-    lines += [f"- {fact}" for fact in machine()]
-    lines += [
-        "",
-        *"""\
-Each task runs in a separate process. The seconds do not include the time to load the package, which
-is given in the first row. Files may or may not be in the page cache. Memory is the largest resident
-size of the process.
-""".splitlines(),
-        "",
-        *csv_table(
-            ("task", "seconds", "memory (MB)"),
-            [(name.replace("`", "``"), f"{s:.2g}", f"{memory:.0f}") for name, s, memory in rows],
-        ),
-    ]
-    text = "\n".join(lines)
-    bench_file("large_runs.rst").write_text(text)
+    table = csv_table(
+        ("task", "seconds", "memory (MB)"),
+        [(name.replace("`", "``"), f"{s:.2g}", f"{memory:.0f}") for name, s, memory in rows],
+    )
+    publish("Large runs", PAGE, passes=passes, samples=passes * 200, size=size, table=table)
     worst = max(memory for *_, memory in rows)
     print(f"largest memory {worst:.0f} MB, limit {LIMIT} MB")
     slow = [name for name, seconds, _ in rows if seconds > LONGEST.get(name, 1e9)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Provide the folder for the pages that `make bench` writes, and a description of the machine."""
+"""Write the pages of `make bench`, with tables and a description of the machine."""
 
 import platform
 import re
@@ -7,9 +7,11 @@ import statistics
 import subprocess
 import sys
 import tempfile
+from datetime import date
 from pathlib import Path
 
-PAGES = Path(__file__).resolve().parents[2] / "build" / "bench"
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = ROOT / "build" / "bench"
 YARDSTICK = Path(__file__).with_name("yardstick.cpp")
 
 
@@ -19,22 +21,41 @@ def bench_file(name):
     return PAGES / name
 
 
-def publish(name, page):
-    """Write a page, or print it if the command line has the word --print."""
-    print(page) if "--print" in sys.argv else bench_file(name).write_text(page)
+def publish(title, text, /, **parts):
+    """Print a page and, unless the command line has the word --print, write it to build/bench under
+    the name of the script. `parts` replace the names in braces in `text`; a list is joined to
+    lines. {machine} is the description of the machine."""
+    script = Path(sys.argv[0])
+    if "{machine}" in text:
+        parts["machine"] = [f"- {fact}" for fact in machine()]
+    joined = {k: "\n".join(one) if isinstance(one, list) else one for k, one in parts.items()}
+    head = [
+        title,
+        "=" * len(title),
+        "",
+        f"Written by ``tests/bench/{script.name}``, {date.today()}.",
+    ]
+    page = "\n".join([*head, "", text.format(**joined)])
+    print(page)
+    if "--print" not in sys.argv:
+        bench_file(f"{script.stem}.rst").write_text(page)
+
+
+def spread(values, form=".3g"):
+    """Return the median and the range of the values as text."""
+    ends = (statistics.median(values), min(values), max(values))
+    return "{} ({} to {})".format(*(f"{one:{form}}" for one in ends))
 
 
 def yardstick(rounds=9):
-    """Return the median, smallest and largest time (s) of `rounds` repetitions of the fixed work in
-    yardstick.cpp."""
+    """Return the times (s) of `rounds` repetitions of the fixed work in yardstick.cpp."""
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "yardstick"
         subprocess.run(["g++", "-std=c++17", "-O2", YARDSTICK, "-o", program], check=True)
-        seconds = [
+        return [
             float(subprocess.run([program], capture_output=True, check=True).stdout.split()[0])
             for _ in range(rounds)
         ]
-    return statistics.median(seconds), min(seconds), max(seconds)
 
 
 def csv_table(head, rows):
@@ -66,7 +87,5 @@ def machine():
         f"compiler: {gcc}",
         f"host: LIGGGHTS {package} (Debian)",
         f"system: {platform.platform(terse=True)}",
-        "yardstick (fixed work, tests/bench/yardstick.cpp): {:.3f} s ({:.3f} to {:.3f})".format(
-            *yardstick()
-        ),
+        f"yardstick (fixed work, tests/bench/yardstick.cpp), seconds: {spread(yardstick(), '.3f')}",
     ]

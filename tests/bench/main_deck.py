@@ -11,14 +11,13 @@ relative to the results of the same deck with a fine tolerance.
 import statistics
 import sys
 import tempfile
-from datetime import date
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
-from deck_runs import cost, factor, run_deck
-from machine import bench_file, csv_table, machine
+from deck_runs import MAIN, cost, factor, run_deck
+from machine import csv_table, publish
 
 MODELS = ("paper", "full")
 ASKED = {47.75: 250.0, 477.5: 30.0, 9549.0: 2.0}  # {rpm: required real-time factor}
@@ -44,11 +43,6 @@ HEADS = (
     "friction power, mean",
 )
 PAGE = """\
-Speed and error of the main deck
-================================
-
-Written by ``tests/bench/main_deck.py`` (``make bench``), {today}.
-
 The main deck was run with its defaults at 5 kN, with {samples} samples per ball pass. The speeds
 are real-time factors over {timed} ball passes, with the full record and without output; they are
 medians over {rounds} rounds. The times include writing all samples to the operating system.
@@ -90,7 +84,7 @@ def integrators(rpm):
 def played(scene, folder, **more):
     """Run a scene with its output in `folder`, and return the folder."""
     run_deck(
-        "inputs/in.6208",
+        MAIN,
         out=folder,
         overwrite="yes",
         models=scene.models,
@@ -164,21 +158,20 @@ def main():
         for rpm in ASKED:
             played(Scene("paper", rpm, "implicit"), folder, passes=COMPARED)
             simulated[rpm] = cost(folder)["simulated_s"] / (COMPARED * SAMPLES)
-    rows = [HEADS]
-    for scene in scenes:
-        rows.append(
-            (
-                f"``{scene.models}``",
-                f"{scene.rpm:g}",
-                scene.integrator,
-                f"{speeds[scene, 'all']:.3g}",
-                f"{ASKED[scene.rpm]:g}",
-                f"{speeds[scene, 'none']:.3g}",
-                f"{evaluations[scene] / TIMED:.0f}",
-                *(f"{error:.0e}" for error in wrong[scene]),
-            )
+    rows = [
+        (
+            f"``{scene.models}``",
+            f"{scene.rpm:g}",
+            scene.integrator,
+            f"{speeds[scene, 'all']:.3g}",
+            f"{ASKED[scene.rpm]:g}",
+            f"{speeds[scene, 'none']:.3g}",
+            f"{evaluations[scene] / TIMED:.0f}",
+            *(f"{error:.0e}" for error in wrong[scene]),
         )
-    budget = [("models", "rpm", "available", "total", "steps", "record", "integrator")]
+        for scene in scenes
+    ]
+    budget = []
     for models in MODELS:
         for rpm in ASKED:
             best = max(
@@ -188,18 +181,17 @@ def main():
             left = 1e6 * simulated[rpm] / ASKED[rpm]
             times = (f"{value:.1f}" for value in (left, whole, steps, whole - steps))
             budget.append((f"``{models}``", f"{rpm:g}", *times, best.integrator))
-    page = PAGE.format(
-        today=date.today(),
+    heads = ("models", "rpm", "available", "total", "steps", "record", "integrator")
+    publish(
+        "Speed and error of the main deck",
+        PAGE,
         samples=SAMPLES,
         timed=TIMED,
         rounds=rounds,
         compared=COMPARED,
-        table="\n".join(csv_table(rows[0], rows[1:])),
-        budget="\n".join(csv_table(budget[0], budget[1:])),
-        machine="\n".join(f"- {fact}" for fact in machine()),
+        table=csv_table(HEADS, rows),
+        budget=csv_table(heads, budget),
     )
-    bench_file("main_deck.rst").write_text(page)
-    print(page)
 
 
 if __name__ == "__main__":

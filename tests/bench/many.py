@@ -15,12 +15,12 @@ import statistics
 import subprocess
 import sys
 import tempfile
-from datetime import date
+import time
 from pathlib import Path
 
-from machine import bench_file, csv_table, machine
+from deck_runs import ROOT, command, succeed
+from machine import csv_table, publish, spread
 
-ROOT = Path(__file__).resolve().parents[2]
 MANY = 1000
 ENVIRONMENT = dict(
     os.environ,
@@ -38,57 +38,106 @@ ALIKE = {"fleet": "alike", "lubricant": "mineral", "models": "paper", "record": 
 RANKS = (100, 1000, 10_000)
 FLEETS = (10_000, 100_000, 1_000_000)
 LATENCY, BANDWIDTH = 2e-6, 1e10  # s and bytes/s, typical values for a cluster; not measured here
-PACK = (
-    # s, time to pack and unpack a ghost, assumed to be about the time of a copy from outside the
-    # cache; not measured here
-    20e-9
-)
+# s, time to pack and unpack a ghost, assumed to be about the time of a copy from outside the cache;
+# not measured here
+PACK = 20e-9
 GHOST_BYTES = 72  # position, velocity, spin
+HEADS = (
+    *("integrator", "bearing-step, one bearing (µs)", f"bearing-step, {MANY} bearings (µs)"),
+    *("ratio (at most 1.3)", "efficiency (at least 0.8)", "memory per bearing (kB)"),
+    "ghost atoms per bearing along a cut",
+)
+PAGE = """\
+``inputs/in.many`` was run with {many} identical 6208 bearings in a square grid, each under 5 kN at
+477.5 rpm, with film, friction and cage. The values are medians over {rounds} rounds, with the range
+in brackets. Ratios are formed within each round.
+
+One rank and two ranks
+----------------------
+
+*bearing-step*: wall time of the run divided by its numbers of steps and bearings. The steps of
+velocity Verlet are 0.4 µs long. The internal steps of the implicit integrator are about 200 µs
+long, with host steps of 250 µs and without output. *ratio*: bearing-step for many bearings in a
+box, divided by that for a single bearing, both on one rank. *efficiency* of two ranks: time on one
+rank divided by twice the time on two ranks.
+
+{table}
+
+There are two effects on the ratio, which act in opposite directions. A single bearing stays in the
+caches of its core, whereas many bearings are fetched from main memory once per host step (the table
+lists their memory). On the other hand, a single bearing carries the whole fixed cost of a host
+step. Identical bearings share the solver of the implicit step, which stays in the caches, so that
+only the state of a bearing is fetched.
+
+The final states of {many} bearings that differ in load, speed, azimuth and lubricant were compared
+bitwise between runs on 1, 2 and 4 ranks (4 ranks on two cores): {equal}.
+
+Setup time on one rank: {set_ups}. Each ``create_bearing`` command adds its atoms to the host's map,
+which is rebuilt after every thousand atoms. The command still searches for the largest tag on its
+rank, which takes about a nanosecond for every few atoms.
+
+Clusters: a model
+-----------------
+
+All ranks communicate with each other only in two cases: when neighbour lists are checked, and for
+output. Otherwise, a rank computes its bearings and exchanges messages with its neighbours, of which
+there are four in a plane grid. With :math:`n = N/P` bearings per rank, the time per host step is
+
+.. math::
+
+   t = n\\,c + 4 L + 4 \\sqrt{{n}}\\, g\\, (b/B + p)
+
+Two quantities are measured: the cost :math:`c` per host step of a bearing among many, and the
+number :math:`g` of ghost atoms per bearing along a cut. Three quantities are assumed: the latency
+:math:`L` = {latency:.0f} µs, the bandwidth :math:`B` = {bandwidth:.0f} GB/s, and the time :math:`p`
+= {pack:.0f} ns to pack and unpack a ghost. A ghost has :math:`b` = {ghost_bytes} bytes (position,
+velocity, spin). A bearing on a cut requires one or two additional short messages in both
+directions: for the sums over its ring and, with the implicit step, for the state of its bodies.
+
+{fleets}
+
+Limits of the model
+-------------------
+
+- Ranks are assigned equal volumes. If the cost differs between bearings (the implicit step refines
+  some more than others), the slowest rank determines the speed. A grid that cannot be divided
+  evenly among the ranks also increases the cost.
+- The model assumes that messages within a rank cost nothing and that every bearing costs the same.
+  A network that is shared with other jobs is slower.
+- After every new neighbour list, each rank sends the sizes of its messages, a few bytes for each
+  rank, to every other rank. With the implicit step this happens every few host steps; with Verlet,
+  every few thousand steps.
+- With the implicit step, all ranks exchange lists of the rings that belong together: about 24 bytes
+  for each ring and each rank that sees it. For more than about 10\\ :sup:`5` bearings, these lists
+  determine the speed, and not the bearings.
+- On every rank, the host's map of atoms requires 4 bytes for every atom in the box, i.e. 80 MB for
+  10\\ :sup:`6` bearings. Each fix bearing/ring requires 4 bytes for every ring.
+- ``thermo`` with compute bearing/total gathers all balls on all ranks. The table of compute
+  bearing/ring does not.
+
+{machine}
+"""
 
 
 def run(ranks, steps, folder, **variables):
     """Return the results of one run of in.many: the wall times (s) of all loops, of a bearing-step
     and of the host's part of a bearing-step; and per rank, the memory (kB) and the number of
     ghosts."""
-    implicit, settle = (
-        variables["integrator"] == "implicit",
-        INTEGRATORS[variables["integrator"]]["settle"],
-    )
+    implicit = variables["integrator"] == "implicit"
+    settle = INTEGRATORS[variables["integrator"]]["settle"]
     deck = folder / "in.bench"
     # the load is applied during the first run; only the last run is timed
     deck.write_text(
         f"include inputs/in.many\nundump table\nrun {steps}\n"
         + ('variable made equal f_move[3]\nprint "internal steps ${made}"\n' if implicit else "")
     )
-    command = [
-        ROOT / "build" / "liggghts",
-        "-in",
-        deck,
-        "-log",
-        "none",
-        "-var",
-        "out",
-        folder,
-        "-var",
-        "time",
-        settle,
-        "-var",
-        "sample",
-        settle,
-        "-var",
-        "ramp",
-        settle / 4,
-        "-var",
-        "overwrite",
-        "yes",
-    ]
-    for name, value in variables.items():
-        command += ["-var", name, value]
+    times = dict(time=settle, sample=settle, ramp=settle / 4)
+    words = command(deck, out=folder, overwrite="yes", **times, **variables)
     if ranks > 1:
-        command = ["mpirun.openmpi", "--oversubscribe", "-np", ranks, *command]
+        words = ["mpirun.openmpi", "--oversubscribe", "-np", str(ranks), *words]
     with open(folder / "said", "w", encoding="utf-8") as said:
         process = subprocess.Popen(
-            [str(word) for word in command],
+            words,
             cwd=ROOT,
             env=ENVIRONMENT,
             stdin=subprocess.DEVNULL,
@@ -99,15 +148,11 @@ def run(ranks, steps, folder, **variables):
     process.returncode = os.waitstatus_to_exitcode(status)
     text = (folder / "said").read_text(errors="replace")
     if process.returncode:
-        sys.exit(f"failed: {' '.join(map(str, command))}\n{text[-2000:]}")
+        sys.exit(f"failed: {' '.join(words)}\n{text[-2000:]}")
     loops = [float(number) for number in re.findall(r"Loop time of (\S+) on", text)]
     ghosts = [float(number) for number in re.findall(r"Nghost:\s+(\S+) ave", text)]
     host_steps = steps * variables["bearings"]
-    made = (
-        float(re.search(r"internal steps (\S+)$", text, flags=re.M).group(1))
-        if implicit
-        else host_steps
-    )
+    made = float(re.search(r"internal steps (\S+)$", text, re.M)[1]) if implicit else host_steps
     return {
         "cost": loops[-1] / made,
         "made": made / host_steps,
@@ -119,23 +164,7 @@ def run(ranks, steps, folder, **variables):
 
 def state(ranks, folder, **variables):
     """Return the final state, with all digits, of many bearings that differ."""
-    command = [ROOT / "build" / "liggghts", "-in", "tests/hosts/in.many_bits", "-log", "none"]
-    for name, value in {"out": folder, **variables}.items():
-        command += ["-var", name, value]
-    if ranks > 1:
-        command = ["mpirun.openmpi", "--oversubscribe", "-np", ranks, *command]
-    done = subprocess.run(
-        [str(word) for word in command],
-        cwd=ROOT,
-        env=dict(ENVIRONMENT, OMPI_MCA_mpi_yield_when_idle="1"),
-        capture_output=True,
-        text=True,
-        errors="replace",
-        stdin=subprocess.DEVNULL,
-        check=False,
-    )
-    if done.returncode:
-        sys.exit(f"failed on {ranks} ranks:\n{done.stdout[-2000:]}")
+    succeed("tests/hosts/in.many_bits", ranks=ranks, out=folder, **variables)
     # rows of tables, sorted by step; the order of the rows, but not their values, may depend on the
     # number of ranks
     return (
@@ -174,35 +203,16 @@ def measure(rounds, folder):
 
 def set_up(folder):
     """Return a list of (number of bearings, wall seconds before the first step)."""
-    import time
-
     rows = []
     for n in (1, 1000, 4000, 16_000):
-        begin = time.monotonic()
-        loops = run(
-            1,
-            1,
-            folder,
-            bearings=n,
-            columns=math.ceil(math.sqrt(n)),
-            integrator="implicit",
-            step=2.5e-4,
-            **ALIKE,
-        )["loops"]
+        begin, case = time.monotonic(), dict(ALIKE, integrator="implicit", step=2.5e-4)
+        loops = run(1, 1, folder, bearings=n, columns=math.ceil(math.sqrt(n)), **case)["loops"]
         rows.append((n, time.monotonic() - begin - loops))
     return rows
 
 
 def middle(rows, key):
     return statistics.median(row[key] for row in rows)
-
-
-def span(rows, key, scale=1.0, digits=3):
-    values = [row[key] * scale for row in rows]
-    return (
-        f"{statistics.median(values):.{digits}g} ({min(values):.{digits}g} to"
-        f" {max(values):.{digits}g})"
-    )
 
 
 def model(seconds, ghosts, fleet, ranks):
@@ -217,171 +227,32 @@ def model(seconds, ghosts, fleet, ranks):
     return work + talk, fleet * seconds / ranks / (work + talk)
 
 
-def page(results, equal, set_ups, rounds):
-    """Return the text of the page."""
-    lines = [
-        ".. written by make bench (tests/bench/many.py); do not edit",
-        "",
-        "Many bearings",
-        "=============",
-        "",
-        *f"""\
-``inputs/in.many`` was run with {MANY} identical 6208 bearings in a square grid, each under 5 kN at
-477.5 rpm, with film, friction and cage. Measured on {date.today()}, {rounds} rounds. The values are
-medians, with the range over the rounds in brackets. Ratios are formed within each round.
-""".splitlines(),
-        "",
+def fleets(results):
+    """Return the lines of the page that apply the model to fleets on clusters."""
+    lines = []
+    heads = ["bearings"]
+    heads += [
+        f"{ranks:,} ranks: wall time per host step, per simulated second; efficiency"
+        for ranks in RANKS
     ]
-    lines += [f"- {fact}" for fact in machine()]
-    lines += [
-        "",
-        "One rank and two ranks",
-        "----------------------",
-        "",
-        *"""\
-*bearing-step*: wall time of the run divided by its numbers of steps and bearings. The steps of
-velocity Verlet are 0.4 µs long. The internal steps of the implicit integrator are about 200 µs
-long, with host steps of 250 µs and without output. *ratio*: bearing-step for many bearings in a
-box, divided by that for a single bearing, both on one rank. *efficiency* of two ranks: time on one
-rank divided by twice the time on two ranks.
-""".splitlines(),
-        "",
-    ]
-    rows = []
+    heads.append(f"memory per rank, {min(RANKS):,} to {max(RANKS):,} ranks")
     for name, got in results.items():
-        rows.append(
-            [
-                name,
-                span(got, "single", 1e6) + " µs",
-                span(got, "many", 1e6) + " µs",
-                span(got, "ratio"),
-                span(got, "efficiency"),
-                f"{middle(got, 'memory'):.0f} kB",
-                f"{middle(got, 'ghosts'):.1f}",
-            ]
-        )
-    lines += csv_table(
-        [
-            "integrator",
-            "bearing-step, one bearing",
-            f"bearing-step, {MANY} bearings",
-            "ratio (at most 1.3)",
-            "efficiency (at least 0.8)",
-            "memory per bearing",
-            "ghost atoms per bearing along a cut",
-        ],
-        rows,
-    )
-    lines += [
-        *"""\
-There are two effects on the ratio, which act in opposite directions. A single bearing stays in the
-caches of its core, whereas many bearings are fetched from main memory once per host step (the table
-lists their memory). On the other hand, a single bearing carries the whole fixed cost of a host
-step. Identical bearings share the solver of the implicit step, which stays in the caches, so that
-only the state of a bearing is fetched.
-""".splitlines(),
-        "",
-        *f"""\
-The final states of {MANY} bearings that differ in load, speed, azimuth and lubricant were compared
-bitwise between runs on 1, 2 and 4 ranks (4 ranks on two cores):
-""".splitlines(),
-        "; ".join(
-            f"{name}: {'identical' if same else '**different**'}" for name, same in equal.items()
-        )
-        + ".",
-        "",
-        "Setup time on one rank: "
-        + "; ".join(f"{n} bearing{'s' if n > 1 else ''} {seconds:.2g} s" for n, seconds in set_ups)
-        + ".",
-        *"""\
-Each ``create_bearing`` command adds its atoms to the host's map, which is rebuilt after every
-thousand atoms. The command still searches for the largest tag on its rank, which takes about a
-nanosecond for every few atoms.
-
-Clusters: a model
------------------
-
-All ranks communicate with each other only in two cases: when neighbour lists are checked, and for
-output. Otherwise, a rank computes its bearings and exchanges messages with its neighbours, of which
-there are four in a plane grid. With :math:`n = N/P` bearings per rank, the time per host step is
-
-.. math::
-
-   t = n\\,c + 4 L + 4 \\sqrt{n}\\, g\\, (b/B + p)
-""".splitlines(),
-        "",
-        *f"""\
-Two quantities are measured: the cost :math:`c` per host step of a bearing among many, and the
-number :math:`g` of ghost atoms per bearing along a cut. Three quantities are assumed: the latency
-:math:`L` = {LATENCY * 1e6:.0f} µs, the bandwidth :math:`B` = {BANDWIDTH / 1e9:.0f} GB/s, and the
-time :math:`p` = {PACK * 1e9:.0f} ns to pack and unpack a ghost. A ghost has :math:`b` =
-{GHOST_BYTES} bytes (position, velocity, spin). A bearing on a cut requires one or two additional
-short messages in both directions: for the sums over its ring and, with the implicit step, for the
-state of its bodies.
-""".splitlines(),
-        "",
-    ]
-    for name, got in results.items():
-        c, g, step = (
-            middle(got, "many") * middle(got, "made"),
-            middle(got, "ghosts"),
-            INTEGRATORS[name]["step"],
-        )
+        c, g = middle(got, "many") * middle(got, "made"), middle(got, "ghosts")
+        step, rows = INTEGRATORS[name]["step"], []
         lines += [
             f"{name}: :math:`c` = {c * 1e6:.3g} µs per host step of {step:g} s,"
             f" :math:`g` = {g:.1f}",
             "",
         ]
-        rows = []
         for fleet in FLEETS:
             row = [f"{fleet:,}"]
             for ranks in RANKS:
                 t, efficiency = model(c, g, fleet, ranks)
                 row.append(f"{t * 1e6:.3g} µs, {t / step:.3g} s, {efficiency:.2f}")
-            rows.append(
-                [
-                    *row,
-                    (
-                        f"{fleet / min(RANKS) * middle(got, 'memory') / 1e6:.2g} to"
-                        f" {fleet / max(RANKS) * middle(got, 'memory') / 1e6:.2g} GB"
-                    ),
-                ]
-            )
-        lines += csv_table(
-            [
-                "bearings",
-                *(
-                    f"{ranks:,} ranks: wall time per host step, per simulated second; efficiency"
-                    for ranks in RANKS
-                ),
-                f"memory per rank, {min(RANKS):,} to {max(RANKS):,} ranks",
-            ],
-            rows,
-        )
-    lines += [
-        "Limits of the model",
-        "-------------------------",
-        "",
-        *"""\
-- Ranks are assigned equal volumes. If the cost differs between bearings (the implicit step refines
-  some more than others), the slowest rank determines the speed. A grid that cannot be divided
-  evenly among the ranks also increases the cost.
-- The model assumes that messages within a rank cost nothing and that every bearing costs the same.
-  A network that is shared with other jobs is slower.
-- After every new neighbour list, each rank sends the sizes of its messages, a few bytes for each
-  rank, to every other rank. With the implicit step this happens every few host steps; with Verlet,
-  every few thousand steps.
-- With the implicit step, all ranks exchange lists of the rings that belong together: about 24 bytes
-  for each ring and each rank that sees it. For more than about 10\\ :sup:`5` bearings, these lists
-  determine the speed, and not the bearings.
-- On every rank, the host's map of atoms requires 4 bytes for every atom in the box, i.e. 80 MB for
-  10\\ :sup:`6` bearings. Each fix bearing/ring requires 4 bytes for every ring.
-- ``thermo`` with compute bearing/total gathers all balls on all ranks. The table of compute
-  bearing/ring does not.
-""".splitlines(),
-        "",
-    ]
-    return "\n".join(lines)
+            memory = (fleet / of(RANKS) * middle(got, "memory") / 1e6 for of in (min, max))
+            rows.append([*row, "{:.2g} to {:.2g} GB".format(*memory)])
+        lines += csv_table(heads, rows)
+    return lines
 
 
 def main():
@@ -404,18 +275,35 @@ def main():
                 "models": "paper",
                 "overwrite": "yes",
             }
-            print(
-                f"{integrator}: checking that results on 1, 2 and 4 ranks are bitwise identical",
-                flush=True,
-            )
+            print(f"{integrator}: comparing results on 1, 2 and 4 ranks", flush=True)
             states = []
             for ranks in (1, 2, 4):
                 (folder / str(ranks)).mkdir(exist_ok=True)
                 states.append(state(ranks, folder / str(ranks), **case))
             equal[integrator] = all(one == states[0] for one in states)
-        text = page(results, equal, set_up(folder), rounds)
-    bench_file("many.rst").write_text(text)
-    print(text)
+        set_ups = [f"{n} bearings {seconds:.2g} s" for n, seconds in set_up(folder)]
+    rows = []
+    for name, got in results.items():
+        each = {key: [one[key] for one in got] for key in got[0]}
+        steps = (spread([1e6 * one for one in each[key]]) for key in ("single", "many"))
+        ratios = (spread(each[key]) for key in ("ratio", "efficiency"))
+        sizes = f"{middle(got, 'memory'):.0f}", f"{middle(got, 'ghosts'):.1f}"
+        rows.append([name, *steps, *ratios, *sizes])
+    said = {name: "identical" if same else "**different**" for name, same in equal.items()}
+    publish(
+        "Many bearings",
+        PAGE,
+        many=MANY,
+        rounds=rounds,
+        table=csv_table(HEADS, rows),
+        equal="; ".join(f"{name}: {one}" for name, one in said.items()),
+        set_ups="; ".join(set_ups),
+        latency=LATENCY * 1e6,
+        bandwidth=BANDWIDTH / 1e9,
+        pack=PACK * 1e9,
+        ghost_bytes=GHOST_BYTES,
+        fleets=fleets(results),
+    )
 
 
 if __name__ == "__main__":

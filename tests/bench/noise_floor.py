@@ -13,14 +13,10 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
-
-from host import succeed  # noqa: E402
-from machine import csv_table, publish  # noqa: E402
-from raceway import sensor, spectrum  # noqa: E402
-from raceway.runs.run import Run  # noqa: E402
+from deck_runs import MAIN, succeed
+from machine import csv_table, publish
+from raceway import sensor, spectrum
+from raceway.runs.run import Run
 
 SCENE = dict(bearing=6205, load=500, rpm=1797, lubricant="vg46", passes=80, settle=10)
 MODE = dict(integrator="vibration", housing="springs", record="summary")
@@ -31,11 +27,6 @@ WAVE = 1e-8  # m
 WAVES = {8: -1, 10: 1}
 ENDS = 100  # number of samples at each end that the filter distorts
 PAGE = """\
-Noise floor of vibration
-========================
-
-Written by ``tests/bench/noise_floor.py`` (``make bench``).
-
 A perfect bearing is not silent: its stiffness varies as balls pass, at BPFO and its harmonics. All
 other lines in its spectrum are numerical noise. Here this noise is compared with the lines of a
 bearing with waves of {wave:g} µm on its inner raceway. The bearing is a 6205 at {rpm} rpm under
@@ -63,7 +54,7 @@ mass of 2 kg on stiff springs that is excited only by the inertia of the inner r
 
 def run(folder, **words):
     """Run the scene with additional variables, and return the `Run`."""
-    succeed("inputs/in.6208", out=folder, timeout=1200, **SCENE, **MODE, **words)
+    succeed(MAIN, out=folder, timeout=1200, **SCENE, **MODE, **words)
     return Run(folder)
 
 
@@ -104,7 +95,9 @@ def main() -> int:
                     [name, str(order), where, f"{loud:.2g}", f"{floor:.2g}", f"{loud / floor:.0f}"]
                 )
         seconds = perfect.rings.sizes["time"] * perfect.settings["sample_s"]
-    page = PAGE.format(
+    publish(
+        "Noise floor of vibration",
+        PAGE,
         wave=1e6 * WAVE,
         rpm=SCENE["rpm"],
         load=SCENE["load"],
@@ -112,12 +105,9 @@ def main() -> int:
         seconds=seconds,
         low=BAND[0],
         high=BAND[1] / 1e3,
-        perfect="\n".join(csv_table(["acceleration of", "rms", "median"], still)),
-        waves="\n".join(
-            csv_table(["acceleration of", "order", "line", "waves", "perfect", "ratio"], waves)
-        ),
+        perfect=csv_table(["acceleration of", "rms", "median"], still),
+        waves=csv_table(["acceleration of", "order", "line", "waves", "perfect", "ratio"], waves),
     )
-    publish("noise_floor.rst", page)
     return max(shares) > 0.1
 
 

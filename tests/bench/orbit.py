@@ -14,16 +14,14 @@ with one measured ball pass. The number of evaluations does not depend on the lo
 
 import sys
 import tempfile
-from datetime import date
 from pathlib import Path
 from typing import NamedTuple
 
-from deck_runs import cost, run_deck
-from machine import bench_file, csv_table
+from deck_runs import MAIN, cost, run_deck
+from machine import csv_table, publish
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
-DECK = "inputs/in.6208"
 SETTLED = 30  # ball passes
 TIGHT = {"clearance": "-20e-6"}
 THRUST = {"bearing": "7205B", "load": "1e-3"}
@@ -64,10 +62,7 @@ HEADS = (
     *("torque", "largest load", "smallest film", "cage speed", "largest multiplier"),
 )
 PAGE = """\
-Periodic orbit over one ball pass
-=================================
-
-Written by ``tests/bench/orbit.py``, {today}. Runs with ``settle orbit`` are compared with runs that
+Runs with ``settle orbit`` are compared with runs that
 settle for 30 ball passes and until they are steady. Errors are relative to one turn of the cage in
 a steady run.
 
@@ -96,7 +91,7 @@ def settled(folder, settle, words, passes=1):
     """Return (output of the host, cost of the run, evaluations up to the end of one measured ball
     pass)."""
     given = {"models": "full", **words, "settle": settle, "passes": passes}
-    said = run_deck(DECK, **given, out=folder, overwrite="yes")
+    said = run_deck(MAIN, **given, out=folder, overwrite="yes")
     noted = cost(folder)
     return said, noted, noted["settling_evaluations"] + noted["evaluations"] / passes
 
@@ -140,13 +135,8 @@ def main():
             if not chosen or name in chosen:
                 marched.append(without(name, words, Path(work) / "without"))
                 print(marched[-1], flush=True)
-    bench_file("orbit.rst").write_text(
-        PAGE.format(
-            today=date.today().isoformat(),
-            table="\n".join(csv_table(HEADS, rows)),
-            without="\n".join(marched),
-        )
-    )
+    title = "Periodic orbit over one ball pass"
+    publish(title, PAGE, table=csv_table(HEADS, rows), without=marched)
 
 
 if __name__ == "__main__":

@@ -6,17 +6,43 @@ import statistics
 import subprocess
 import sys
 import tempfile
-from datetime import date
 from pathlib import Path
 
-from implicit_cost import ROOT, measure, spread
-from machine import bench_file, csv_table, machine
+from implicit_cost import measure
+from machine import ROOT, csv_table, publish, spread
 
-PAGE = bench_file("part_cost.rst")
 ROUNDS = 3
 MODELS = ("paper", "film", "full")
 CONTROL = {"paper": "tolerance 1e-9", "film": "tolerance 1e-9 cage_tolerance 1e-7"}
 CONTROL["full"] = CONTROL["film"]
+PAGE = """\
+The laws are evaluated on their own, for 4096 loaded contacts of a 6208, in {rounds} rounds. *Adds*
+is the difference from the law on which a row builds, measured in the same round. *Explicit* is one
+evaluation in doubles; *implicit* is an evaluation with derivatives, for four contacts at a time.
+*Fraction* is the time of a part for nine contacts (explicit) divided by that of a velocity-Verlet
+step with ``full``. The values are medians, with the range over the rounds in brackets.
+
+{parts}
+
+Whole runs
+----------
+
+The bearing is a 6208 with a cage, under 5 kN at 477.5 rpm. The implicit step has a tolerance of 1
+nm (0.1 µm for cage balls with ``film`` and ``full``) and host steps of 0.1 ms.
+
+{whole}
+
+{machine}
+"""
+PARTS = (
+    *("part", "explicit (ns per contact)", "adds", "implicit (ns per contact)", "adds"),
+    "fraction (%)",
+)
+WHOLE = (
+    *("models", "velocity Verlet (ns per step)", "over ``paper``"),
+    *("implicit (ns per host step)", "over ``paper``"),
+    *("internal steps per host step", "corrections per internal step"),
+)
 
 
 def build(folder):
@@ -44,8 +70,7 @@ def whole():
     for models in MODELS:
         verlet = measure("in.cost", dict(models=models))[0]
         implicit, steps, corrections = measure(
-            "in.implicit_cost",
-            dict(models=models, control=CONTROL[models]),
+            "in.implicit_cost", dict(models=models, control=CONTROL[models])
         )
         found[models] = verlet, implicit, steps, corrections
     return found
@@ -59,90 +84,30 @@ def main():
             print(f"round {number + 1} of {ROUNDS}", flush=True)
             rounds.append((parts(program), whole()))
     step = statistics.median(runs["full"][0] for _, runs in rounds)
-    lines = [
-        ".. written by make bench (tests/bench/part_cost.py); do not edit",
-        "",
-        "Cost of each part of the contact law",
-        "====================================",
-        "",
-        f"Measured on {date.today()}, {ROUNDS} rounds:",
-        "",
-        *(f"- {fact}" for fact in machine()),
-        "",
-        *"""\
-The laws are evaluated on their own, for 4096 loaded contacts of a 6208. *Adds* is the difference
-from the law on which a row builds, measured in the same round. *Explicit* is one evaluation in
-doubles; *implicit* is an evaluation with derivatives, for four contacts at a time. *Fraction* is
-the time of a part for nine contacts (explicit) divided by that of a velocity-Verlet step with
-``full``. The values are medians, with the range over the rounds in brackets.
-""".splitlines(),
-        "",
-    ]
     body = []
     for k, (name, base, *_) in enumerate(rounds[0][0]):
         added = [
             [law[k][i] - (law[base][i] if base >= 0 else 0) for law, _ in rounds] for i in (2, 3)
         ]
-        body.append(
-            (
-                name,
-                spread([law[k][2] for law, _ in rounds]),
-                spread(added[0]),
-                spread([law[k][3] for law, _ in rounds]),
-                spread(added[1]),
-                f"{9 * statistics.median(added[0]) / step * 100:.1f}",
-            )
-        )
-    lines += csv_table(
-        (
-            "part",
-            "explicit (ns per contact)",
-            "adds",
-            "implicit (ns per contact)",
-            "adds",
-            "fraction (%)",
-        ),
-        body,
-    )
-    lines += [
-        "Whole runs",
-        "----------",
-        "",
-        *"""\
-The bearing is a 6208 with a cage, under 5 kN at 477.5 rpm. The implicit step has a tolerance of 1
-nm (0.1 µm for cage balls with ``film`` and ``full``) and host steps of 0.1 ms.
-""".splitlines(),
-        "",
-    ]
-    body = []
+        cells = []
+        for i in (2, 3):
+            cells += [spread([law[k][i] for law, _ in rounds], ".0f"), spread(added[i - 2], ".0f")]
+        body.append((name, *cells, f"{9 * statistics.median(added[0]) / step * 100:.1f}"))
+    whole_runs = []
     for models in MODELS:
         runs = [runs[models] for _, runs in rounds]
-        ratio = [[found[models][i] / found["paper"][i] for _, found in rounds] for i in (0, 1)]
-        body.append(
-            (
-                f"``{models}``",
-                spread([r[0] for r in runs]),
-                spread(ratio[0], "{:.2f}"),
-                spread([r[1] for r in runs]),
-                spread(ratio[1], "{:.2f}"),
-                f"{runs[0][2]:.2f}",
-                f"{runs[0][3]:.2f}",
-            )
-        )
-    lines += csv_table(
-        (
-            "models",
-            "velocity Verlet (ns per step)",
-            "over ``paper``",
-            "implicit (ns per host step)",
-            "over ``paper``",
-            "internal steps per host step",
-            "corrections per internal step",
-        ),
-        body,
+        cells = []
+        for i in (0, 1):
+            ratio = [found[models][i] / found["paper"][i] for _, found in rounds]
+            cells += [spread([r[i] for r in runs], ".0f"), spread(ratio, ".2f")]
+        whole_runs.append((f"``{models}``", *cells, *(f"{one:.2f}" for one in runs[0][2:])))
+    publish(
+        "Cost of each part of the contact law",
+        PAGE,
+        rounds=ROUNDS,
+        parts=csv_table(PARTS, body),
+        whole=csv_table(WHOLE, whole_runs),
     )
-    PAGE.write_text("\n".join(lines))
-    print("\n".join(lines))
 
 
 if __name__ == "__main__":

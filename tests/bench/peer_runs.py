@@ -15,39 +15,17 @@ from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
+from deck_runs import MAIN, ROOT, command, tables
 from deck_runs import cost as told_cost
-from raceway import hertz, static
-from raceway.theory.bearing import INNER, OUTER, Bearing
-
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
-
-from host import tables  # noqa: E402
+from raceway import hertz, inputs, static
+from raceway.theory.bearing import INNER, OUTER
 
 DECKS = Path("tests/bench/peers")
 OUT = Path("build/bench/peers")
 LOAD, SPEED = 5000.0, 50.0  # N along -y, rad/s
 PERIOD = 1.76e-4  # s, time between samples; there are about 200 samples per ball pass
 PASSES = 8  # number of ball passes in Raceway's runs
-NAMES = (
-    "balls",
-    "ball_diameter",
-    "inner_radius",
-    "outer_radius",
-    "inner_groove",
-    "outer_groove",
-    "ball_young",
-    "ball_poisson",
-)
-DATA = {
-    name: float(
-        re.search(
-            rf"variable {name}\s+index (\S+)", (ROOT / "inputs/bearings/6208").read_text()
-        ).group(1)
-    )
-    for name in NAMES
-}
-BEARING = Bearing(int(DATA["balls"]), *(DATA[name] for name in NAMES[1:]))
+BEARING = inputs.bearing(ROOT / "inputs/bearings/6208")
 # exact Hertzian stiffness, N/m^1.5
 STIFFNESS = [
     hertz.stiffness(hertz.exact(*BEARING.effective_radii(side)), BEARING.effective_modulus)
@@ -58,8 +36,8 @@ BOTH_ALIKE = 2**1.5 * IN_SERIES  # two equal contacts with this stiffness have I
 SPHERE_ON_PLANE = 2 / 3 * BEARING.effective_modulus * BEARING.ball_radius**0.5
 
 
-PITCH = (DATA["inner_radius"] + DATA["outer_radius"]) / 2
-PASS = 4 * np.pi / (BEARING.balls * SPEED * (1 - DATA["ball_diameter"] / (2 * PITCH)))  # s
+# s
+PASS = 4 * np.pi / (BEARING.balls * SPEED * (1 - BEARING.ball_radius / BEARING.pitch_radius))
 
 
 class Sample(NamedTuple):
@@ -152,10 +130,9 @@ def whole(samples):
 def host(program, deck, **variables):
     """Run a deck and return the printed text. Raise `Failure` with the message of the host if the
     run fails."""
-    words = [w for name, value in variables.items() for w in ("-var", name, str(value))]
     # line-buffered, because the host aborts without flushing, and its last message would be lost
     done = subprocess.run(
-        ["stdbuf", "-oL", program, "-in", deck, "-log", "none", *words],
+        ["stdbuf", "-oL", program, *command(deck, **variables)[1:]],
         cwd=ROOT,
         text=True,
         capture_output=True,
@@ -272,7 +249,7 @@ def raceway(name, output=True, **variables):
     """Run Raceway's main deck under the load with its defaults."""
     host(
         "build/liggghts",
-        "inputs/in.6208",
+        MAIN,
         load=LOAD,
         rpm=SPEED * 30 / np.pi,
         passes=PASSES,
@@ -282,11 +259,8 @@ def raceway(name, output=True, **variables):
         **variables,
     )
     told = told_cost(ROOT / OUT / name)
-    price, step, simulated = (
-        told["wall_s"] / told["simulated_s"],
-        told["step_s"],
-        told["simulated_s"],
-    )
+    step, simulated = told["step_s"], told["simulated_s"]
+    price = told["wall_s"] / simulated
     if not output:
         return Outcome(price, step, simulated)
     return judge(recorded(ROOT / OUT / name), price, step, simulated)

@@ -12,13 +12,12 @@ output, so that a drift in the speed of the machine affects all of them.
 
 import statistics
 import sys
-from datetime import date
 from functools import partial
 from importlib.metadata import PackageNotFoundError, version
 
 import numpy as np
 import torus_stl
-from machine import bench_file, machine
+from machine import publish
 from peer_choice import ALLOWED, Peer, Setting, choose
 from peer_runs import (
     BEARING,
@@ -220,10 +219,9 @@ def exudyn_version():
         return "not installed"
 
 
-def page(rounds, choices, attempts):
-    """Return the text of peers/page.txt with the results inserted; `rounds` maps (name, output) to
-    a list of outcomes."""
-    facts = [*machine(), f"Exudyn {exudyn_version()} from PyPI, one thread"]
+def write(rounds, choices, attempts):
+    """Write the page with the text of peers/page.txt; `rounds` maps (name, output) to a list of
+    outcomes."""
     names = dict.fromkeys(name for name, _ in rounds)
     table = [
         line
@@ -232,26 +230,23 @@ def page(rounds, choices, attempts):
     ]
     chosen = [line for peer, choice in zip(PEERS, choices) for line in tried_rows(peer, choice)]
     tried = [f"- {name}: {end}" for (name, _), end in zip(ATTEMPTS, attempts)]
-    return (
-        (ROOT / DECKS / "page.txt")
-        .read_text()
-        .format(
-            date=date.today(),
-            rounds=len(next(iter(rounds.values()))),
-            facts="\n".join(f"- {fact}" for fact in facts),
-            load=LOAD,
-            speed=SPEED,
-            table="\n".join(table),
-            chosen="\n".join(chosen),
-            finest="\n".join(f"- {peer.name}: {peer.finest.words}" for peer in PEERS),
-            allowed=ALLOWED,
-            tried="\n".join(tried),
-            shift=exact_shift() * 1e6,
-            sphere=SPHERE_ON_PLANE / 1e10,
-            inner=STIFFNESS[INNER] / 1e10,
-            outer=STIFFNESS[OUTER] / 1e10,
-            both=BOTH_ALIKE / 1e10,
-        )
+    publish(
+        "Other programs",
+        (ROOT / DECKS / "page.txt").read_text(),
+        rounds=len(next(iter(rounds.values()))),
+        exudyn=exudyn_version(),
+        load=LOAD,
+        speed=SPEED,
+        table=table,
+        chosen=chosen,
+        finest=[f"- {peer.name}: {peer.finest.words}" for peer in PEERS],
+        allowed=ALLOWED,
+        tried=tried,
+        shift=exact_shift() * 1e6,
+        sphere=SPHERE_ON_PLANE / 1e10,
+        inner=STIFFNESS[INNER] / 1e10,
+        outer=STIFFNESS[OUTER] / 1e10,
+        both=BOTH_ALIKE / 1e10,
     )
 
 
@@ -290,9 +285,7 @@ def main():
     for name, call in ATTEMPTS:
         attempts.append(attempt(call))
         print(f"{name}: {attempts[-1]}", flush=True)
-    text = page(rounds, choices, attempts)
-    bench_file("peers.rst").write_text(text)
-    print(text)
+    write(rounds, choices, attempts)
 
 
 if __name__ == "__main__":

@@ -15,12 +15,11 @@ import statistics
 import sys
 import tempfile
 import time
-from datetime import date
 from pathlib import Path
 from typing import NamedTuple
 
-from deck_runs import ROOT, cost, factor, run_deck
-from machine import bench_file, machine
+from deck_runs import MAIN, ROOT, cost, factor, run_deck
+from machine import publish
 
 # {rpm: required real-time factor of the main deck}
 SPEEDS = {47.75: 200.0, 477.5: 20.0, 9549.0: 0.6}
@@ -40,11 +39,6 @@ SHORT, SHORT_PASSES = "make run", 4  # key for `make run`, i.e. the main deck wi
 FASTER, FASTER_WITHIN, COST = 8.0, {47.75: 15.0, 477.5: 15.0, 9549.0: 12.0}, 2.0
 MANY, MANY_COST = 100, 1.3
 PAGE = """\
-Cost of a record
-================
-
-Written by ``tests/bench/record.py`` (``make bench``), {today}.
-
 The main deck was run at 5000 N with 200 samples per ball pass, for {text_passes} passes with text
 output and for {passes} passes otherwise. *text* refers to dumps of the host for contacts and balls,
 and its table for the ring. *record* is :doc:`../fix_bearing_record` with all columns. The motion is
@@ -102,7 +96,7 @@ def main_deck(folder, rpm, output):
     passes = {"text": TEXT_PASSES, SHORT: SHORT_PASSES}.get(output, PASSES)
     start = time.perf_counter()
     variables = OUTPUTS.get(output, {})
-    run_deck("inputs/in.6208", out=folder, rpm=rpm, passes=passes, overwrite="yes", **variables)
+    run_deck(MAIN, out=folder, rpm=rpm, passes=passes, overwrite="yes", **variables)
     wall = time.perf_counter() - start
     found = cost(folder)
     return Taken(
@@ -154,7 +148,7 @@ def from_start(results):
         for what, said in (("factor", "measured passes"), ("whole", "start to end of the program")):
             found = [f"{middle(results, rpm, output, what):.3g}" for rpm in SPEEDS]
             rows.append(row([f"{passes} passes, {said}", *found]))
-    return "\n".join(rows)
+    return rows
 
 
 def ratios(results):
@@ -167,27 +161,14 @@ def ratios(results):
         }
 
     factor = {rpm: middle(results, rpm, AS_IT_STANDS, "factor") for rpm in SPEEDS}
-    every = dict.fromkeys(SPEEDS, FASTER)
+    faster, most = dict.fromkeys(SPEEDS, FASTER), dict.fromkeys(SPEEDS, COST)
+    within = ratio(AS_IT_STANDS, "no output, a tenth of the steps")
+    text, ten = "text relative to record", ", 10 samples per step"
     return [
-        ("text relative to record", ratio("text", "record"), every, True),
-        (
-            "text relative to record, 10 samples per step",
-            ratio("text", AS_IT_STANDS),
-            FASTER_WITHIN,
-            True,
-        ),
-        (
-            "record relative to no output",
-            ratio("record", "no output"),
-            dict.fromkeys(SPEEDS, COST),
-            False,
-        ),
-        (
-            "record relative to no output, 10 samples per step",
-            ratio(AS_IT_STANDS, "no output, a tenth of the steps"),
-            dict.fromkeys(SPEEDS, COST),
-            False,
-        ),
+        (text, ratio("text", "record"), faster, True),
+        (text + ten, ratio("text", AS_IT_STANDS), FASTER_WITHIN, True),
+        ("record relative to no output", ratio("record", "no output"), most, False),
+        ("record relative to no output" + ten, within, most, False),
         (f"real-time factor of the main deck, {PASSES} passes", factor, SPEEDS, True),
     ]
 
@@ -212,15 +193,8 @@ def main():
     for name, found, limit, least in ratios(results):
         limits = sorted({*limit.values()}, reverse=True)
         said = ", ".join(f"{value:g}" for value in limits)
-        table.append(
-            row(
-                [
-                    name,
-                    *(f"{found[rpm]:.3g}" for rpm in SPEEDS),
-                    f"{'>=' if least else '<='} {said}",
-                ]
-            )
-        )
+        cells = (f"{found[rpm]:.3g}" for rpm in SPEEDS)
+        table.append(row([name, *cells, f"{'>=' if least else '<='} {said}"]))
         missed += [
             f"{name} at {rpm:g} rpm: {found[rpm]:.3g}, required {limit[rpm]:g}"
             for rpm in SPEEDS
@@ -229,26 +203,23 @@ def main():
     hundred = statistics.median(one["many"] for one in results)
     if hundred > MANY_COST:
         missed.append(f"a hundred bearings: {hundred:.2f}, required {MANY_COST:g}")
-    page = PAGE.format(
-        today=date.today(),
+    publish(
+        "Cost of a record",
+        PAGE,
         text_passes=TEXT_PASSES,
         passes=PASSES,
         rounds=len(results),
-        heads="\n".join(f"     - {rpm:g} rpm" for rpm in SPEEDS),
-        rows="\n".join(rows),
+        heads=[f"     - {rpm:g} rpm" for rpm in SPEEDS],
+        rows=rows,
         whole=from_start(results),
         short=SHORT_PASSES,
         short_wall=middle(results, 477.5, SHORT, "wall"),
         short_loop=1e3 * middle(results, 477.5, SHORT, "loop"),
         long_wall=middle(results, 477.5, AS_IT_STANDS, "wall"),
-        ratios="\n".join(table),
+        ratios=table,
         many=hundred,
         many_cost=MANY_COST,
-        machine="\n".join(f"- {fact}" for fact in machine()),
     )
-    print(page)
-    if "--print" not in sys.argv:
-        bench_file("record.rst").write_text(page)
     for line in missed:
         print("missed:", line)
     return int(bool(missed))

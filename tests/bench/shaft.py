@@ -9,13 +9,12 @@ import re
 import statistics
 import sys
 import tempfile
-from datetime import date
 from pathlib import Path
 
 import numpy as np
 import xarray as xr
 from deck_runs import ROOT, factor, run_deck
-from machine import bench_file, csv_table, machine
+from machine import csv_table, publish
 
 ROUNDS = 3
 SETTLE, MEASURE, SAMPLE = 0.06, 0.06, 2e-4  # s
@@ -30,12 +29,7 @@ SETTINGS = [  # keywords of fix bearing/implicit, host step (s)
     ("order 1 tolerance 1e-5", 1e-4),
     ("order 1 tolerance 1e-5", 2e-4),
 ]
-HEAD = """\
-Speed and error of a shaft
-==============================
-
-Written by ``tests/bench/shaft.py`` (``make bench``), {date}.
-
+PAGE = """\
 Two 6208s carry the motor shaft of :doc:`../tutorial_shafts` at 3000 rpm, with unbalance, thrust and
 belt pull. A ball pass takes 5.6 ms. The table lists real-time factors, i.e. simulated time divided
 by wall time, on one core, with a record of loads and films every {sample:g} ms. The values are
@@ -46,13 +40,14 @@ the largest load:
 * *mean of the largest*: mean over time of the largest load;
 * *one instant*: load at one instant, for the ball and the instant with the largest error.
 
-"""
-TAIL = """
+{table}
+
 The goal was ten times real time with loads accurate to 1e-3. Two approaches were tried, and neither
 reaches this goal. Larger tolerances first affect the loads at single instants, and then the means.
 Backward Euler with one step per 0.1 or 0.2 ms also changes the means. Lightly loaded balls limit
 the step, because they vibrate on the outer raceway as they enter and leave the load zone.
 
+{machine}
 """
 
 
@@ -118,28 +113,19 @@ def main():
                     speed, loads = simulated(*setting, cage, folder)
                     speeds.setdefault((setting, cage), []).append(speed)
                     wrong[setting, cage] = errors(loads, truth[cage])
-    lines = [
-        HEAD.format(
-            date=date.today(), sample=1e3 * SAMPLE, rounds=ROUNDS, measure=MEASURE
-        ).rstrip(),
-        "",
-    ]
     rows = []
     for (setting, cage), found in speeds.items():
         control, step = setting
         row = f"``{control}``", f"{1e3 * step:g}", "yes" if cage else "no"
         missed = (f"{value:.0e}" for value in wrong[setting, cage])
         rows.append((*row, f"{statistics.median(found):.2g}", *missed))
-    lines += csv_table(
+    table = csv_table(
         ("``fix bearing/implicit``", "host step, ms", "cage", "real-time factor",
          "mean of a ball", "mean of the largest", "one instant"),
         rows,
     )  # fmt: skip
-    lines += TAIL.splitlines()
-    lines += [f"- {fact}" for fact in machine()]
-    text = "\n".join(lines) + "\n"
-    bench_file("shaft.rst").write_text(text)
-    print(text)
+    sizes = dict(sample=1e3 * SAMPLE, rounds=ROUNDS, measure=MEASURE)
+    publish("Speed and error of a shaft", PAGE, table=table, **sizes)
 
 
 if __name__ == "__main__":

@@ -13,15 +13,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
-
-from host import succeed  # noqa: E402
-from machine import csv_table, publish  # noqa: E402
-from raceway import hertz, kinematics, passages, spall, static  # noqa: E402
-from raceway.runs.run import Run  # noqa: E402
-from raceway.theory.bearing import INNER, OUTER  # noqa: E402
+from deck_runs import MAIN, succeed
+from machine import csv_table, publish
+from raceway import hertz, kinematics, passages, spall, static
+from raceway.runs.run import Run
+from raceway.theory.bearing import INNER, OUTER
 
 MODE = dict(lubricant="vg46", integrator="vibration", housing="springs")
 SCENES = (  # bearing, load (N), rpm, mass of the inner ring (kg; inputs/bearings)
@@ -35,11 +31,6 @@ EDGE = 5e-5  # m
 ALLOWED = 0.05
 WAYS = ("half-way", "static rate", "two masses", "the ball's own fall")
 PAGE = """\
-Length of a spall
-=================
-
-Written by ``tests/bench/spall_length.py`` (``make bench``).
-
 The first column is the true length of the spall. The other lengths are determined from the time
 between entry and impact in the acceleration of the housing, at 192 kHz and without noise
 (``raceway.passages``). They are medians over the balls that pass through the load zone, in mm:
@@ -119,7 +110,7 @@ def main() -> int:
                     folder = Path(place) / f"{name}_{load}_{side}_{length}"
                     flaw = {f"flaw_{side}": f"notch {-np.pi / 2} {length} full 1e-3 {EDGE}"}
                     words = dict(bearing=name, load=load, rpm=rpm, passes=passes, **MODE, **flaw)
-                    succeed("inputs/in.6208", out=folder, timeout=1200, **words)
+                    succeed(MAIN, out=folder, timeout=1200, **words)
                     run, spin = Run(folder), rpm * np.pi / 30
                     bearing, found = run.tables.geometry, passages.of_run(run, side).strong
                     given = (bearing, raceway, found.seconds, spin, load)
@@ -136,9 +127,8 @@ def main() -> int:
                         [where, side, f"{1e3 * length:g}", *(f"{1e3 * one:.2f}" for one in medians)]
                     )
                     print(rows[-1], len(found.entry), flush=True)
-    table = "\n".join(csv_table(["run", "raceway", "length", *WAYS], rows))
-    page = PAGE.format(table=table, error=100 * worst)
-    publish("spall_length.rst", page)
+    table = csv_table(["run", "raceway", "length", *WAYS], rows)
+    publish("Length of a spall", PAGE, table=table, error=100 * worst)
     return worst > ALLOWED
 
 

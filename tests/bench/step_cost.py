@@ -6,14 +6,23 @@ Every round runs all scenes, so that a drift in the speed of the machine affects
 ratio to the empty step is formed within each round. The page lists medians and ranges.
 """
 
-import statistics
-from datetime import date
-
 from deck_runs import nanoseconds, run_deck
-from machine import bench_file, csv_table, machine
+from machine import csv_table, publish, spread
 
 ROUNDS = 7
 STEPS = 200_000
+PAGE = """\
+Each of {rounds} rounds runs all scenes, with {steps} steps each. The bearing is a loaded 6208 (5
+kN, 477.5 rpm, mineral oil) with velocity Verlet. The ratio is relative to the empty step in the
+same round. The values are medians, with the range over the rounds in brackets.
+
+{table}
+
+The stock scene has no groove, no contact ellipse, no free ring and no film. It is the most similar
+scene that an unmodified host can run.
+
+{machine}
+"""
 SCENES = [  # name, deck, variables, target for the ratio to the empty step
     ("empty LIGGGHTS step, 20 free particles", "in.empty", {}, None),
     (
@@ -39,46 +48,13 @@ def main():
             for _, deck, variables, _ in SCENES
         ]
         rounds.append([nanoseconds(text, STEPS) for text in texts])
-    lines = [
-        ".. written by make bench (tests/bench/step_cost.py); do not edit",
-        "",
-        "Cost of a step",
-        "==============",
-        "",
-        f"Measured on {date.today()}, {ROUNDS} rounds of {STEPS} steps, all scenes in every round:",
-        "",
-    ]
-    lines += [f"- {fact}" for fact in machine()]
-    lines += [
-        "",
-        *"""\
-The bearing is a loaded 6208 (5 kN, 477.5 rpm, mineral oil) with velocity Verlet. The ratio is
-relative to the empty step in the same round. The values are medians, with the range over the rounds
-in brackets.
-""".splitlines(),
-        "",
-    ]
-    cells = []
+    rows = []
     for k, (name, _, _, target) in enumerate(SCENES):
-        times = [row[k] for row in rounds]
-        ratios = [row[k] / row[0] for row in rounds]
-        cells.append((
-            name,
-            f"{statistics.median(times):.0f} ({min(times):.0f} to {max(times):.0f})",
-            f"{statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})",
-            f"≤ {target}" if target else "",
-        ))  # fmt: skip
-    lines += [
-        *csv_table(("scene", "ns per step", "ratio to empty step", "target"), cells),
-        *"""\
-The stock scene has no groove, no contact ellipse, no free ring and no film. It is the most similar
-scene that an unmodified host can run.
-""".splitlines(),
-        "",
-    ]
-    text = "\n".join(lines)
-    bench_file("step_cost.rst").write_text(text)
-    print(text)
+        times, ratios = [row[k] for row in rounds], [row[k] / row[0] for row in rounds]
+        limit = f"≤ {target}" if target else ""
+        rows.append((name, spread(times, ".0f"), spread(ratios, ".2f"), limit))
+    table = csv_table(("scene", "ns per step", "ratio to empty step", "target"), rows)
+    publish("Cost of a step", PAGE, rounds=ROUNDS, steps=STEPS, table=table)
 
 
 if __name__ == "__main__":

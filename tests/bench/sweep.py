@@ -18,31 +18,24 @@ import subprocess
 import sys
 import tempfile
 import time
-from datetime import date
 from pathlib import Path
 
 import pandas as pd
-from machine import bench_file, csv_table, machine
+from machine import ROOT, csv_table, publish, spread
 
-ROOT = Path(__file__).resolve().parents[2]
 LOADS, SPEEDS = (1000, 2000, 5000, 10000, 20000), (100, 250, 477.5, 1000, 2000)
 CLEARANCES, OILS = (-2e-5, 0, 1e-5, 2e-5), ("mineral", "pao48")
 # more ball passes per point than by default, so that light loads settle even at high speed
 PASSES, SETTLE, SAMPLES = (4, 3, 100)
 ROUNDS = 3
 WANTED = 1.8
-HEADS = ("processes", "wall time, median (s)", "range (s)", "points per second")
+HEADS = ("processes", "wall time (s)", "points per second")
 PAGE = """\
-A sweep on two cores
-====================
-
-Written by ``tests/bench/sweep.py`` (``make bench``), {today}.
-
 The sweep has {points} points: {loads} loads from {load_low} to {load_high} N,
 {speeds} speeds from {rpm_low:g} to {rpm_high:g} rpm,
 {clearances} clearances from {clearance_low:g} to {clearance_high:g} m, and {oils} lubricants.
 Each point has {passes} ball passes, with all output and results (:doc:`../sweep`). Runs with one
-process and with two processes alternated. Number of rounds: {rounds}.
+process and with two processes alternated, on {cores} cores. Number of rounds: {rounds}.
 
 {rows}
 
@@ -69,17 +62,8 @@ def write_table(path):
 
 
 def command(table, folder, jobs):
-    return [
-        sys.executable,
-        "-m",
-        "raceway",
-        "sweep",
-        str(table),
-        "--out",
-        str(folder),
-        "--jobs",
-        str(jobs),
-    ]
+    words = [table, "--out", folder, "--jobs", jobs]
+    return [sys.executable, "-m", "raceway", "sweep", *map(str, words)]
 
 
 def timed(table, folder, jobs):
@@ -148,18 +132,13 @@ def main():
     medians = {jobs: statistics.median(times) for jobs, times in seconds.items()}
     ratio = medians[1] / medians[2]
     rows = [
-        (
-            jobs,
-            f"{medians[jobs]:.1f}",
-            f"{min(times):.1f} to {max(times):.1f}",
-            f"{points / medians[jobs]:.2f}",
-        )
+        (jobs, spread(times, ".1f"), f"{points / medians[jobs]:.2f}")
         for jobs, times in seconds.items()
     ]
-    about = machine()
-    about[0] = about[0].split(", one core")[0] + f", {len(os.sched_getaffinity(0))} cores"
-    page = PAGE.format(
-        today=date.today(),
+    publish(
+        "A sweep on two cores",
+        PAGE,
+        cores=len(os.sched_getaffinity(0)),
         points=points,
         loads=len(LOADS),
         load_low=LOADS[0],
@@ -173,7 +152,7 @@ def main():
         oils=len(OILS),
         passes=PASSES,
         rounds=ROUNDS,
-        rows="\n".join(csv_table(HEADS, rows)),
+        rows=csv_table(HEADS, rows),
         ratio=ratio,
         ratios=", ".join(f"{r:.2f}" for r in ratios),
         wanted=WANTED,
@@ -181,11 +160,7 @@ def main():
         finished=after,
         again=again or "none",
         same="both" if same else "NOT both",
-        machine="\n".join(f"* {line}" for line in about),
     )
-    print(page)
-    if "--print" not in sys.argv:
-        bench_file("sweep.rst").write_text(page)
     return 0 if after == points and not again and same else 1
 
 

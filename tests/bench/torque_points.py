@@ -114,7 +114,7 @@ def reference(name):
     rpm = float(inputs.values(path)["reference_speed"])
     warm = brentq(lambda at: fluid.at(at).kinematic - heat.REFERENCE_VISCOSITY, 40.0, 110.0)
     scene = Scene(
-        inputs.bearing(path), boundary, fluid, 1e-7, 0.05 * boundary.static_rating, 0.0, rpm,
+        inputs.bearing(path), fluid, 1e-7, 0.05 * boundary.static_rating, 0.0, rpm,
         size=inputs.size(path),
     )  # fmt: skip
     losses = scene.at(warm, 0.0)["losses_W"]

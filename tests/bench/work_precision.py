@@ -15,26 +15,65 @@ no output. A round runs all methods for a scene.
 import re
 import statistics
 import sys
-from datetime import date
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from deck_runs import ROOT, attempt  # noqa: E402
-from machine import bench_file, csv_table, machine  # noqa: E402
+from deck_runs import ROOT, attempt, tables  # noqa: E402
+from machine import bench_file, csv_table, publish  # noqa: E402
 from matplotlib.ticker import NullFormatter  # noqa: E402
 
-sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
-
-from host import tables  # noqa: E402
-
 FOLDER = "build/bench/precision"
-PAGE, PICTURE = (
-    bench_file("work_precision.rst"),
-    bench_file("work_precision.png"),
-)
+PICTURE = bench_file("work_precision.png")
+PAGE = """\
+The bearing is a 6208 at 5 kN in mineral oil, with film, friction, cage and a free ring. Its
+capacitance is computed at 200 instants per ball pass (:doc:`../fix_bearing_capacitance`, *within*).
+There is no output.
+
+The error is the largest over all balls and instants of one ball pass, compared with a reference
+that uses the same friction law. It covers inner and outer loads (relative to the largest load),
+cage speed (relative to its mean) and, for balls that carry more than 1 % of the largest load, the
+film.
+
+All runs use one core. The values are medians of {rounds} rounds; each round runs all settings of a
+scene.
+
+Required speed
+--------------
+
+The table lists real-time factors (simulated time divided by wall time) of
+:doc:`../fix_bearing_implicit` in this run.
+
+Velocity Verlet is compared twice, each time with the fastest step whose error is at most 1e-3. The
+first ratio is the fair comparison: Verlet uses the friction law that suits it, a spring with
+history, and has a separate reference. For the second ratio, Verlet uses the smoothed friction law
+of the implicit step, which acts as a stiff damper at low sliding speeds. At 50 rad/s, this shortens
+the steps of Verlet by a factor of ten to twenty. At 5 rad/s, the steps would be only nanoseconds
+long, so these cases were not run. At 1000 rad/s, this law is not stiff, and Verlet is about as fast
+with either law.
+
+{targets}
+
+Diagram
+-------
+
+.. image:: work_precision.png
+   :alt: error against wall time per simulated second
+
+Points further left and lower are better. The dotted line is the difference between the reference
+methods; errors below it are not significant. The grey line is 1e-3.
+
+{scenes}
+
+What failed
+-----------
+
+:doc:`../notes/integrator` describes what was tried and rejected.
+
+{machine}
+"""
 ROUNDS = 2
 SAMPLES = 200
 SPEEDS = (5.0, 50.0, 1000.0)
@@ -67,11 +106,7 @@ def run(**variables):
     text = attempt("tests/bench/in.precision", out=FOLDER, **variables).stdout
     result = re.search(r"RESULT rate (\S+) step (\S+)", text)
     control = re.search(r"CONTROL mean (\S+)", text)
-    return (
-        (1 / float(result.group(1)), float((control or result).group(1 if control else 2)))
-        if result
-        else None
-    )
+    return result and (1 / float(result[1]), float(control[1] if control else result[2]))
 
 
 def recorded(**variables):
@@ -82,9 +117,8 @@ def recorded(**variables):
     rows = np.loadtxt(ROOT / FOLDER / "contacts.txt")
     orbit = np.array([rows[:, 1] for _, rows in tables(ROOT / FOLDER / "balls.dump")])
     count = (len(orbit) - 1) * int(variables.get("within", 1)) + 1
-    instant = np.rint((rows[:, 0] - rows[0, 0]) * (count - 1) / (rows[-1, 0] - rows[0, 0])).astype(
-        int
-    )
+    since, whole = rows[:, 0] - rows[0, 0], rows[-1, 0] - rows[0, 0]
+    instant = np.rint(since * (count - 1) / whole).astype(int)
     place = instant, rows[:, 3].astype(int), rows[:, 2].astype(int) - 1
     load, film = np.zeros((count, 2, 9)), np.ones((count, 2, 9))
     load[place], film[place] = rows[:, 4], rows[:, 5]
@@ -317,85 +351,19 @@ def draw(results):
 
 
 def page(results):
-    lines = [
-        ".. written by make bench (tests/bench/work_precision.py); do not edit",
-        "",
-        "Speed against error",
-        "===================",
-        "",
-        *f"""\
-The bearing is a 6208 at 5 kN in mineral oil, with film, friction, cage and a free ring. Its
-capacitance is computed at 200 instants per ball pass (:doc:`../fix_bearing_capacitance`, *within*).
-There is no output.
-
-The error is the largest over all balls and instants of one ball pass, compared with a reference
-that uses the same friction law. It covers inner and outer loads (relative to the largest load),
-cage speed (relative to its mean) and, for balls that carry more than 1 % of the largest load, the
-film.
-
-All runs use one core. The values are medians of {ROUNDS} rounds; each round runs all settings of a
-scene. Measured on {date.today()}:
-""".splitlines(),
-        "",
-    ]
-    lines += [f"- {fact}" for fact in machine()]
-    lines += [
-        "",
-        "Required speed",
-        "--------------",
-        "",
-        (
-            "The table lists real-time factors (simulated time divided by wall time) of"
-            " :doc:`../fix_bearing_implicit` in this run."
-        ),
-        "",
-        *"""\
-Velocity Verlet is compared twice, each time with the fastest step whose error is at most 1e-3. The
-first ratio is the fair comparison: Verlet uses the friction law that suits it, a spring with
-history, and has a separate reference. For the second ratio, Verlet uses the smoothed friction law
-of the implicit step, which acts as a stiff damper at low sliding speeds. At 50 rad/s, this shortens
-the steps of Verlet by a factor of ten to twenty. At 5 rad/s, the steps would be only nanoseconds
-long, so these cases were not run. At 1000 rad/s, this law is not stiff, and Verlet is about as fast
-with either law.
-""".splitlines(),
-        "",
-    ] + targets(results)
-    lines += [
-        "Diagram",
-        "-------",
-        "",
-        ".. image:: work_precision.png",
-        "   :alt: error against wall time per simulated second",
-        "",
-        (
-            "Points further left and lower are better. The dotted line is the difference between"
-            " the reference methods; errors below it are not significant. The grey line is 1e-3."
-        ),
-        "",
-    ]
+    scenes = []
     for (speed, ratio), (rows, apart) in results.items():
         title = f"{speed:g} rad/s, P_d/D = {ratio:g}"
-        orders = ", ".join(
-            f"{m} {slope(rows, m):.1f}" for m in STYLE if np.isfinite(slope(rows, m))
-        )
-        lines += [
-            title,
-            "-" * len(title),
+        slopes = {method: slope(rows, method) for method in STYLE}
+        orders = ", ".join(f"{m} {one:.1f}" for m, one in slopes.items() if np.isfinite(one))
+        scenes += [
+            *(title, "-" * len(title), ""),
+            f"The references differ by {apart:.1e}. Observed order (error against step):"
+            f" {orders or 'too few points'}.",
             "",
-            (
-                f"The references differ by {apart:.1e}. Observed order (error against step):"
-                f" {orders or 'too few points'}."
-            ),
-            "",
+            *csv_table(METHODS, [cells(*row) for row in rows]),
         ]
-        lines += csv_table(METHODS, [cells(*row) for row in rows])
-    lines += [
-        "What failed",
-        "-----------",
-        "",
-        ":doc:`../notes/integrator` describes what was tried and rejected.",
-    ]
-    PAGE.write_text("\n".join(lines) + "\n")
+    publish("Speed against error", PAGE, rounds=ROUNDS, targets=targets(results), scenes=scenes)
 
 
 def main():

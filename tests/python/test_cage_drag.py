@@ -2,12 +2,11 @@
 """The power losses of a cage ring in statics agree with the results of two independent programs,
 and individual parts can be omitted."""
 
-import json
 import math
 from dataclasses import replace
 
 import pytest
-from commands import reply
+from commands import answer
 from host import ROOT
 from raceway import inputs
 from raceway.sweeps import heat_runs
@@ -80,10 +79,10 @@ def test_cage_of_the_commands(capsys, monkeypatch):
     """In the commands static and heat, a ring, the default, causes larger losses than a chain of
     balls, and the losses decrease as the play increases."""
     monkeypatch.chdir(ROOT)
-    words = ["--load", "1000", "--rpm", "9549", "--lubricant", "vg32", "--json"]
+    words = ["--load", "1000", "--rpm", "9549", "--lubricant", "vg32"]
 
     def found(command, *more):
-        return json.loads(reply(capsys, [command, *words, *more]))
+        return answer(capsys, [command, *words, *more])
 
     cages = ["--cage", "chain"], ["--cage", "ring"], []
     losses = [found("static", *more)["losses_W"].get("cage", 0) for more in cages]

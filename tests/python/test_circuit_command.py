@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tests of `raceway circuit`: its results, tables and picture."""
 
-import json
-
 import numpy as np
 import pandas as pd
 import pytest
 import raceway
-from commands import reply
-from PIL import Image
+from commands import answer, drawn, reply
 from raceway.cli import main
 from raceway.electric import circuit, circuit_figures
 from raceway.electric.breakdown import Breakdown
@@ -44,9 +41,8 @@ MOTOR = ["--motor", "50e-12", "1e-9", "--common-mode", "560", "300", "50", "0.8"
     ],
 )
 def test_json(folder, capsys, words, outer, breakdown, leak):
-    assert main(["circuit", str(folder), *words, "--json"]) == 0
     found = circuit.run(raceway.open(folder), outer, breakdown, leak)
-    assert json.loads(capsys.readouterr().out) == circuit_figures.figures(found)
+    assert answer(capsys, ["circuit", folder, *words]) == circuit_figures.figures(found)
 
 
 def test_figures(folder):
@@ -89,9 +85,7 @@ def test_films_at_the_floor(folder):
 def test_files(folder, tmp_path, capsys):
     out = tmp_path / "circuit"
     words = ["--source", "1e7", "--constant", "20", "--strength", "30e6", "--surfaces", "smooth"]
-    assert reply(capsys, ["circuit", str(folder), *words, "--out", str(out)]).startswith(
-        "Time\n  simulated"
-    )
+    assert reply(capsys, ["circuit", folder, *words, "--out", out]).startswith("Time\n  simulated")
     result = circuit.run(
         raceway.open(folder), Source(Constant(20.0), 1e7), Breakdown(30e6, "smooth")
     )
@@ -102,8 +96,7 @@ def test_files(folder, tmp_path, capsys):
     np.testing.assert_array_equal(table["bearing_voltage (V)"], result.data.bearing_voltage)
     column = table["film_capacitance outer 4 (F)"]
     np.testing.assert_array_equal(column, result.data.film_capacitance[:, 1, 3])
-    with Image.open(out / "discharges.png") as picture:
-        assert picture.width >= 1000 and len(picture.convert("RGB").getcolors(1 << 24)) > 100
+    drawn(out / "discharges.png")
 
 
 def test_a_map_without_discharges(folder, tmp_path):
@@ -126,13 +119,11 @@ def test_a_map_without_discharges(folder, tmp_path):
     ],
 )
 def test_bad_command_line(folder, capsys, words, message):
-    with pytest.raises(SystemExit) as stop:
-        main(["circuit", str(folder), *words])
-    assert stop.value.code == 2 and message in capsys.readouterr().err
+    assert message in reply(capsys, ["circuit", folder, *words], code=2)
 
 
 def test_a_table_that_is_none(folder, tmp_path, capsys):
     path = tmp_path / "none.txt"
     assert f"{path} is not a table of seconds and volts" in reply(
-        capsys, ["circuit", str(folder), "--source", "1", "--table", str(path)], code=1
+        capsys, ["circuit", folder, "--source", "1", "--table", path], code=1
     )

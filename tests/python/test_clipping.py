@@ -2,12 +2,11 @@
 """The share of clipped samples is compared with the share by which a signal exceeds the limits;
 signals that are quantised coarsely, repeat themselves or come to rest are not clipped."""
 
-import json
 import math
 
 import numpy as np
 import pytest
-from commands import reply
+from commands import answer, reply
 from raceway.recordings import clipping
 from scipy import signal, special
 
@@ -80,7 +79,7 @@ def test_command(tmp_path, capsys):
     np.savez(tmp_path / "a.npz", good=signal, bad=cut)
     words = ["measured", str(tmp_path / "a.npz"), "--bearing", "6205", "--rate", "12000"]
     words += ["--rpm", "1797"]
-    said = json.loads(reply(capsys, [*words, "--json"]))
+    said = answer(capsys, words)
     good, bad = (one["clipped_share"] for one in said["channels"])
     assert good == 0 and bad == pytest.approx(0.02, rel=1e-3)
     (warning,) = said["warnings"]

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A run is compared with its own signal, written to a file at a lower rate or for another speed."""
 
-import json
-
 import numpy as np
 import pytest
 import raceway
 import synthetic
-from commands import reply
+from commands import answer
 from raceway import compare, kinematics, recording, sensor, spectrum
 from raceway.cli import main
 from raceway.errors import RunError
@@ -83,5 +81,5 @@ def test_command(tmp_path, run, capsys):
     assert main([*words, "--out", str(tmp_path / "both.png")]) == 0
     assert (tmp_path / "both.png").stat().st_size > 10_000
     assert "BPFO x3" in capsys.readouterr().out
-    said = json.loads(reply(capsys, [*words, "--json"]))
+    said = answer(capsys, words)
     assert said["run"]["rms"] == pytest.approx(said["recording"]["rms"], rel=1e-9)

@@ -88,7 +88,7 @@ def test_examples_can_be_used(capsys):
         path = ROOT / f"inputs/datasets/{name}.yaml"
         assert len(records(read_spec(path, KNOWN))) == count
         assert f"{count} records" in reply(
-            capsys, ["dataset", str(path), "--deck", str(ROOT / "inputs/in.6208"), "--check"]
+            capsys, ["dataset", path, "--deck", ROOT / "inputs/in.6208", "--check"]
         )
 
 
@@ -133,11 +133,6 @@ def test_mistakes(tmp_path, data, says):
 def test_commands_without_a_folder(capsys):
     assert "give a folder for the data set with --out" in reply(
         capsys,
-        [
-            "dataset",
-            str(ROOT / "inputs/datasets/small.yaml"),
-            "--deck",
-            str(ROOT / "inputs/in.6208"),
-        ],
+        ["dataset", ROOT / "inputs/datasets/small.yaml", "--deck", ROOT / "inputs/in.6208"],
         code=2,
     )

@@ -18,7 +18,7 @@ def test_a_deck_comes_with_all_that_it_reads(tmp_path, capsys, monkeypatch):
     )
     monkeypatch.chdir(tmp_path)
     assert catalogue.folder() == tmp_path / "inputs"
-    assert "in.6208: already exists" in reply(capsys, ["decks", "in.6208"])
+    assert "in.6208: already exists" in reply(capsys, "decks in.6208")
 
 
 @pytest.mark.parametrize("name", ["6205", "7205B", "vg46"])
@@ -33,15 +33,15 @@ def test_a_file_of_the_user_stays(tmp_path, capsys):
     mine.parent.mkdir(parents=True)
     mine.write_text("mine\n")
     assert f"{mine} exists with different text" in reply(
-        capsys, ["decks", "in.6208", "--to", str(tmp_path)], code=1
+        capsys, ["decks", "in.6208", "--to", tmp_path], code=1
     )
     assert mine.read_text() == "mine\n" and not (tmp_path / "in.6208").exists()
 
 
 def test_the_list_has_every_name(capsys):
-    said = reply(capsys, ["decks"])
+    said = reply(capsys, "decks")
     assert all(name in said for name in [*decks.decks(), *decks.lubricants()])
     assert f"Bearings: {len(decks.bearings())}," in said
     assert "there is no deck, bearing or lubricant 'in.6207'" in reply(
-        capsys, ["decks", "in.6207"], code=1
+        capsys, "decks in.6207", code=1
     )

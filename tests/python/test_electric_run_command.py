@@ -2,15 +2,12 @@
 """Tests of `raceway electric DIR`: the results for a run, its table, pictures and messages."""
 
 import csv
-import json
 
 import numpy as np
 import pytest
 import raceway
-from commands import reply
-from PIL import Image
+from commands import answer, drawn, reply
 from raceway import film_figures, film_table, film_voltage, whole_capacitance
-from raceway.cli import main
 from raceway.theory.capacitors import Filling
 from raceway.theory.electric_point import Ask
 
@@ -19,11 +16,15 @@ ASK = Ask(voltage=5.0, frequency=1e4, resistivity=1e9, motor=(50e-12, 1e-9))
 
 
 def printed(capsys, *arguments):
-    return reply(capsys, ["electric", *map(str, arguments)])
+    return reply(capsys, ["electric", *arguments])
+
+
+def figures(capsys, *arguments):
+    return answer(capsys, ["electric", *arguments])
 
 
 def test_figures(folder, capsys):
-    found = json.loads(printed(capsys, folder, *ALL, "--json"))
+    found = figures(capsys, folder, *ALL)
     run = raceway.open(folder)
     whole = whole_capacitance.over_time(run)
     data = film_figures.over_time(run, whole, ASK)
@@ -48,12 +49,12 @@ def test_figures(folder, capsys):
 def test_json_alone_on_stdout(folder, capsys, tmp_path):
     table, picture = tmp_path / "a.csv", tmp_path / "a.png"
     wanted = ["--csv", table, "--kind", "parts", "--out", picture]
-    json.loads(printed(capsys, folder, "--json", *wanted))
+    figures(capsys, folder, *wanted)
     assert table.exists() and picture.exists()
 
 
 def test_what_is_not_asked_for_is_not_there(folder, capsys):
-    found = json.loads(printed(capsys, folder, "--json"))
+    found = figures(capsys, folder)
     for key in ("leak_ohm", "impedance_ohm", "phase_deg", "field_V_m", "bearing_voltage_ratio"):
         assert found[key] is None, key
     text = printed(capsys, folder)
@@ -61,14 +62,14 @@ def test_what_is_not_asked_for_is_not_there(folder, capsys):
 
 
 def test_another_filling(folder, capsys):
-    dry = json.loads(printed(capsys, folder, "--surroundings", "dry", "--json"))
+    dry = figures(capsys, folder, "--surroundings", "dry")
     whole = whole_capacitance.over_time(raceway.open(folder), Filling("dry"))
     assert dry["surroundings"] == "dry"
     assert dry["capacitance_total_F"] == pytest.approx(float(whole["bearing"].mean()))
-    wet = json.loads(printed(capsys, folder, "--json"))
+    wet = figures(capsys, folder)
     assert wet["surroundings"] == "flooded"
     assert wet["capacitance_total_F"] > dry["capacitance_total_F"]
-    mean = json.loads(printed(capsys, folder, "--permittivity-at", "mean", "--json"))
+    mean = figures(capsys, folder, "--permittivity-at", "mean")
     assert mean["surroundings"] == "flooded" and mean["capacitance_F"] < wet["capacitance_F"]
 
 
@@ -89,8 +90,7 @@ def test_pictures(folder, capsys, tmp_path, kind):
     out = tmp_path / "picture.png"
     shown = printed(capsys, folder, *ALL, "--kind", kind, "--out", out)
     assert shown.splitlines()[-1] == str(out)
-    with Image.open(out) as picture:
-        assert picture.width >= 1000 and len(picture.convert("RGB").getcolors(1 << 24)) > 100
+    drawn(out)
 
 
 @pytest.mark.parametrize(
@@ -108,12 +108,8 @@ def test_pictures(folder, capsys, tmp_path, kind):
     ],
 )
 def test_messages(folder, capsys, arguments, code, message):
-    try:
-        assert main(["electric", str(folder), *arguments]) == code
-    except SystemExit as stop:
-        assert stop.code == code
-    assert message in capsys.readouterr().err
+    assert message in reply(capsys, ["electric", folder, *arguments], code)
 
 
 def test_a_dry_run_has_none(dry_folder, capsys):
-    assert "capacitance" in reply(capsys, ["electric", str(dry_folder)], code=1)
+    assert "capacitance" in reply(capsys, ["electric", dry_folder], code=1)

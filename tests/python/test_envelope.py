@@ -2,14 +2,12 @@
 """Tests of envelopes of synthetic signals in which impacts at a known rate excite a known frequency
 in noise."""
 
-import json
-
 import numpy as np
 import pytest
 import raceway
 import synthetic
 import xarray as xr
-from commands import reply
+from commands import answer, reply
 from raceway import envelope, kinematics, spectrum
 from raceway.errors import RunError
 
@@ -127,10 +125,10 @@ def test_of_a_run(struck):
 
 def test_command(struck, capsys, tmp_path):
     words = ["spectrum", str(struck), "--signal", "y", "--envelope"]
-    said = reply(capsys, [*words, "--out", str(tmp_path / "x.png")]).splitlines()
+    said = reply(capsys, [*words, "--out", tmp_path / "x.png"]).splitlines()
     assert said[0].startswith("envelope of: ") and said[1].startswith("band ")
     assert (tmp_path / "x.png").stat().st_size > 10_000
-    assert "BPFI-shaft" in {line["name"] for line in json.loads(reply(capsys, [*words, "--json"]))}
+    assert "BPFI-shaft" in {line["name"] for line in answer(capsys, words)}
     assert "--band applies to an envelope" in reply(
-        capsys, ["spectrum", str(struck), "--band", "10", "20"], code=2
+        capsys, ["spectrum", struck, "--band", "10", "20"], code=2
     )

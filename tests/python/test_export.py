@@ -167,8 +167,8 @@ def test_command(folder, capsys, format, name):
 def test_complaints(folder, tmp_path, capsys):
     (tmp_path / "file").write_text("")
     assert "cannot make the folder" in reply(
-        capsys, ["export", str(folder), "--format", "vtk", "--out", str(tmp_path / "file")], code=1
+        capsys, ["export", folder, "--format", "vtk", "--out", tmp_path / "file"], code=1
     )
     (folder / "record.nc").write_text("nonsense\n")
-    assert "record.nc" in reply(capsys, ["export", str(folder), "--format", "xyz"], code=1)
+    assert "record.nc" in reply(capsys, ["export", folder, "--format", "xyz"], code=1)
     assert not (folder / "xyz" / "bearing.xyz").exists()

@@ -133,7 +133,7 @@ def test_what_is_no_regular_file_stays(tmp_path, kind, capsys):
         path = path / "out.csv"
     before = os.stat("/dev/full")
     assert f"cannot write {path}" in reply(
-        capsys, ["stiffness", "--load", "1000", "--out", str(path)], code=1
+        capsys, ["stiffness", "--load", "1000", "--out", path], code=1
     )
     assert len(list(tmp_path.iterdir())) == 1
     now = os.stat("/dev/full")

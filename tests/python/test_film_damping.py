@@ -41,14 +41,6 @@ def test_equation_5_is_far_above(bearing, top):
     assert found == pytest.approx([8680, 5200, 1280, 250], rel=0.01)
 
 
-def test_loss_factor_at_resonance(top):
-    k, h_c, _, elastic, _, b = top
-    found = film_damping.loss_factor(
-        k, film_damping.branch(k, h_c, elastic, b, SPEEDS), 2 * np.pi / 28e-6
-    )
-    assert np.all(found < 7e-3) and np.all(found > 0.5e-6)
-
-
 def test_step(top):
     k, h_c, _, elastic, _, b = top
     one = film_damping.branch(k, h_c, elastic, b, SPEEDS)

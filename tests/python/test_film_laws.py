@@ -4,7 +4,7 @@ limits and finite slopes."""
 
 import numpy as np
 import pytest
-from raceway import film, film_factors, film_gap, film_regimes, hertz, rolling
+from raceway import film, film_factors, film_gap, film_regimes, hertz, rolling, rough_film
 from raceway.theory.bearing import INNER
 from references import friction as friction_reference
 from scipy import stats
@@ -70,14 +70,12 @@ def test_flooded_inlet(inner):
         assert film_factors.flooded_inlet(r_x, b, h_c) == pytest.approx(expected, abs=0.005)
 
 
-def test_rough_capacitance_is_the_mean_of_a_gamma_distribution():
-    for ratio in (1.6, 4.24, 13.09):
+def test_the_factor_of_rough_films_is_the_mean_of_a_gamma_distribution():
+    for ratio in (2.5, 4.24, 13.09):
         one = stats.gamma(ratio**2, scale=1 / ratio**2)  # mean 1, standard deviation 1/ratio
         assert one.std() == pytest.approx(1 / ratio, rel=1e-12)
         inverse = one.expect(lambda h: 1 / h)
-        assert film_factors.rough_capacitance(ratio) == pytest.approx(inverse, rel=1e-7)
-    with pytest.raises(ValueError, match="the contact conducts"):
-        film_factors.rough_capacitance(1.0)
+        assert rough_film.factor(ratio) == pytest.approx(inverse, rel=1e-7)
 
 
 # ---- all regimes -------------------------------------------------------------------------------

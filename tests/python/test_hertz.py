@@ -50,9 +50,7 @@ def test_arrays_equal_numbers():
     assert np.array_equal(hertz.ellipticity(ratios), [hertz.ellipticity(ratio) for ratio in ratios])
 
 
-def test_numbers_of_the_6208(
-    bearing,
-):  # values as printed in docs/theory, Numbers to reproduce
+def test_numbers_of_the_6208(bearing):  # values as printed in docs/theory, Numbers to reproduce
     modulus = bearing.effective_modulus
     for side, load, k, a, b, p in (
         (INNER, 2436.2, 3.2497e10, 2.059e-3, 0.2197e-3, 2571e6),

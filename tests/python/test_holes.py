@@ -96,7 +96,7 @@ def table(tmp_path):
 def test_the_command_says_why(tmp_path, table, words, message, capsys):
     names = {"file": str(table), "job": str(tmp_path / "job.sh")}
     assert message in reply(
-        capsys, ["sweep", str(table), *(word.format(**names) for word in words)], code=1
+        capsys, ["sweep", table, *(word.format(**names) for word in words)], code=1
     )
     assert not (tmp_path / "job.sh").exists()
 
@@ -158,4 +158,4 @@ def test_a_record_with_a_bearing_that_is_none(folder, capsys, name, value):
     (folder / "run.yaml").unlink()
     with netcdf_file(folder / "record.nc", "a") as file:
         file.variables[name][:] = value
-    assert reply(capsys, ["export", str(folder), "--format", "vtk"], code=1).startswith("raceway: ")
+    assert reply(capsys, ["export", folder, "--format", "vtk"], code=1).startswith("raceway: ")

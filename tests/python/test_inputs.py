@@ -83,14 +83,7 @@ def test_composite_roughness(tmp_path):
         ("variable permittivity index 2\n", "has no viscosity"),
         (
             "".join(
-                f"variable {name} index x\n"
-                for name in (
-                    "viscosity",
-                    "pressure_viscosity",
-                    "permittivity",
-                    "roughness",
-                    "ball_roughness",
-                )
+                f"variable {name} index x\n" for name in (*inputs.Oil._fields, "ball_roughness")
             ),
             "is not a number",
         ),

@@ -2,13 +2,13 @@
 """Rating life is compared with published values and with an independent program."""
 
 import dataclasses
-import json
 
 import numpy as np
 import pytest
 from bearings import B6208
+from commands import answer, reply
 from host import ROOT
-from raceway import cli, inputs
+from raceway import inputs
 from raceway.theory import cleanliness, life, static
 from raceway.theory.equivalent_load import equivalent
 
@@ -142,26 +142,22 @@ def test_static_safety():
 
 def test_command(capsys):
     """`raceway static` prints lives only for bearings whose ratings are known."""
-    words = "static --bearing {} --load 3000 --rpm 1500 --lubricant vg46 --json".format
-    assert cli.main(words("6208").split()) == 0
-    found = json.loads(capsys.readouterr().out)
+    words = "--bearing {} --load 3000 --rpm 1500 --lubricant vg46".format
+    found = rated(capsys, words("6208"))
     assert found["life_reference_h"] == pytest.approx(found["life_reference_Mrev"] * 1e6 / 90e3)
     assert found["life_modified_h"] == pytest.approx(
         found["life_reference_h"] * found["life_factor"]
     )
     assert found["static_safety"] == pytest.approx((4.2e9 / found["p_max_inner_Pa"]) ** 3)
-    assert cli.main([*words("6208").split(), "--cleanliness", "severe"]) == 0
-    dirty = json.loads(capsys.readouterr().out)
+    dirty = rated(capsys, words("6208") + " --cleanliness severe")
     assert dirty["life_factor"] < found["life_factor"]
     assert dirty["life_reference_h"] == found["life_reference_h"]
-    assert cli.main(words("harris209").split()) == 0
-    unrated = json.loads(capsys.readouterr().out)
+    unrated = rated(capsys, words("harris209"))
     assert unrated["static_safety"] > 1 and "life_reference_h" not in unrated
 
 
 def rated(capsys, words):
-    assert cli.main(["static", *words.split(), "--json"]) == 0
-    return json.loads(capsys.readouterr().out)
+    return answer(capsys, f"static {words}")
 
 
 def test_a_rating_on_the_command_line(capsys):
@@ -182,12 +178,11 @@ def test_load_spectrum(capsys, tmp_path):
     load of several duties is their cubic mean, weighted by revolutions; a steady load of this size
     gives the same life."""
     path = tmp_path / "duties.csv"
-    common = ["static", "--C", "32.5kN", "--spectrum", str(path)]
+    common = f"--C 32.5kN --spectrum {path}"
 
     def life_of(text):
         path.write_text(text)
-        assert cli.main([*common, "--json"]) == 0
-        return json.loads(capsys.readouterr().out)
+        return rated(capsys, common)
 
     one = rated(capsys, "--C 32.5kN --load 3000 --rpm 1500")
     split = life_of("load,rpm,share\n3000,1500,2\n3000,1500,6\n")
@@ -205,11 +200,10 @@ def test_load_spectrum(capsys, tmp_path):
     damage = sum(t / h**3 for t, h in zip(turns, hours)) / turns.sum()
     assert mixed["life_reference_Mrev"] == pytest.approx(1 / damage, rel=1e-12)
     assert sum(point["damage_share"] for point in mixed["points"]) == pytest.approx(1)
-    assert cli.main(common) == 0
-    assert "equivalent load" in capsys.readouterr().out
+    assert "equivalent load" in reply(capsys, f"static {common}")
     path.write_text("load,rpm\n2000,1500\n0,1500\n")
-    assert cli.main(common) == 1
-    assert "point 2 of the spectrum: without a load" in capsys.readouterr().err
+    said = reply(capsys, f"static {common}", code=1)
+    assert "point 2 of the spectrum: without a load" in said
 
 
 SWEPT = "point,status,load,share,equivalent_load_N,life_reference_Mrev,dynamic_rating_N,rpm\n"
@@ -224,9 +218,8 @@ def test_spectrum_of_a_sweep(capsys, tmp_path):
     )
     lives = {}
     for rating in (30e3, 60e3):
-        own = [] if rating == 30e3 else ["--C", "60kN"]
-        assert cli.main(["static", "--spectrum", str(path), *own, "--json"]) == 0
-        found = json.loads(capsys.readouterr().out)
+        own = "" if rating == 30e3 else "--C 60kN"
+        found = rated(capsys, f"--spectrum {path} {own}")
         mean = ((7 * 1500 * 1990**3 + 3 * 3000 * 4990**3) / (7 * 1500 + 3 * 3000)) ** (1 / 3)
         assert found["equivalent_load_N"] == pytest.approx(mean, rel=1e-12)
         lives[rating] = found["life_reference_Mrev"]
@@ -248,8 +241,7 @@ def test_spectrum_of_a_sweep(capsys, tmp_path):
 def test_a_sweep_without_a_life(capsys, tmp_path, rows, said):
     path = tmp_path / "results.csv"
     path.write_text(SWEPT + rows)
-    assert cli.main(["static", "--spectrum", str(path)]) == 1
-    assert said in capsys.readouterr().err
+    assert said in reply(capsys, f"static --spectrum {path}", code=1)
 
 
 @pytest.mark.parametrize(
@@ -266,8 +258,7 @@ def test_a_sweep_without_a_life(capsys, tmp_path, rows, said):
 def test_a_spectrum_that_is_none(capsys, tmp_path, text, said):
     path = tmp_path / "duties.csv"
     path.write_text(text)
-    assert cli.main(["static", "--spectrum", str(path)]) == 1
-    assert said in capsys.readouterr().err
+    assert said in reply(capsys, f"static --spectrum {path}", code=1)
 
 
 def test_equivalent_load_of_a_thrust():
@@ -313,18 +304,16 @@ def test_minimum_load(tmp_path, capsys):
     assert life.minimum_load(0.025, 92.0, 6000.0, 0.06) == pytest.approx(4 * once, rel=1e-12)
     assert life.minimum_load(0.025, 1000.0, 1.0, 0.1) == pytest.approx(25.0, rel=1e-12)
     text = (ROOT / "inputs/bearings/6206").read_text()
-    words = ["static", "--load", "500", "--rpm", "1500", "--lubricant", "vg46", "--json"]
-    assert cli.main([*words, "--bearing", "6206"]) == 0
+    words = "--load 500 --rpm 1500 --lubricant vg46 --bearing"
     kinematic = inputs.fluid(ROOT / "inputs/lubricants/vg46").kinematic
     want = life.minimum_load(0.025, kinematic, 1500.0, 0.046)
-    found = json.loads(capsys.readouterr().out)["minimum_load_N"]
+    found = rated(capsys, f"{words} 6206")["minimum_load_N"]
     assert found == pytest.approx(want, rel=1e-12)
     lines = text.splitlines(keepends=True)
     bare = tmp_path / "bare"
     bare.write_text("".join(line for line in lines if "minimum_load_factor" not in line))
-    assert cli.main([*words, "--bearing", str(bare)]) == 0
-    assert "minimum_load_N" not in json.loads(capsys.readouterr().out)
+    assert "minimum_load_N" not in rated(capsys, f"{words} {bare}")
     bad = tmp_path / "bad"
     bad.write_text(text.replace("minimum_load_factor index 0.025", "minimum_load_factor index -1"))
-    assert cli.main([*words, "--bearing", str(bad)]) == 1
-    assert "minimum_load_factor = -1 must lie between 0 and 1" in capsys.readouterr().err
+    said = reply(capsys, f"static {words} {bad}", code=1)
+    assert "minimum_load_factor = -1 must lie between 0 and 1" in said

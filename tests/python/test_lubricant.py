@@ -51,8 +51,7 @@ def test_grades_at_seventy(name, seventy):
 
 
 @pytest.mark.parametrize(
-    ("name", "cold", "density"),
-    [("vg32", 27.97, 874), ("vg46", 39.69, 863), ("vg68", 57.07, 867)],
+    ("name", "cold", "density"), [("vg32", 27.97, 874), ("vg46", 39.69, 863), ("vg68", 57.07, 867)]
 )
 def test_grades_at_forty(name, cold, density):
     found = inputs.fluid(OILS / name)

@@ -28,7 +28,7 @@ def test_panels(folder, lubricated, tmp_path, panels):
 
 
 def test_command(folder, capsys):
-    assert "motion.png" in reply(capsys, ["plot", str(folder), "--kind", "motion"])
+    assert "motion.png" in reply(capsys, ["plot", folder, "--kind", "motion"])
     assert (folder / "motion.png").exists()
 
 

@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tests of reading files: rejected files, messages, lines found in recordings, and the command."""
 
-import json
 import math
 from pathlib import Path
 
 import numpy as np
 import pytest
-from commands import reply
+from commands import answer, reply
 from raceway import catalogue, identify, kinematics, line_table, orders, prediction, readings
-from raceway.cli import main
 from raceway.errors import RacewayError
 from raceway.recordings.prediction import Predicted
 from raceway.recordings.readings import Point, Reading
@@ -184,7 +182,7 @@ def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
     )
     for number, table in enumerate(tables):
         words = ["--lines", str(lines(tmp_path, table)), "--bearing", "6205", "--models", "paper"]
-        found = json.loads(reply(capsys, ["identify", *words, "--json"]))
+        found = answer(capsys, ["identify", *words])
         truth = {"clearance_m": 8e-6, "axial_N": 90.0}
         truth["contact_angle_deg"] = math.degrees(of[0].angle)
         for key, value in truth.items():
@@ -196,16 +194,10 @@ def test_lines_of_hidden_clearance_and_thrust(tmp_path, capsys, monkeypatch):
         if number == 0:
             ridge = np.array(found["ridge"])
             assert np.interp(90.0, *ridge[:, ::-1].T) == pytest.approx(8e-6, abs=1.5e-6)
-    with pytest.raises(SystemExit, match="2"):
-        main(["identify"])
-    assert "give a FILE of readings, or --lines CSV" in capsys.readouterr().err
-    with pytest.raises(SystemExit, match="2"):
-        main(["identify", "readings.yaml", "--load", "5"])
-    assert "--load applies to --lines" in capsys.readouterr().err
-    for option, value in {"bearing": "6208", "lubricant": "vg46", "within": "2e-4"}.items():
-        with pytest.raises(SystemExit, match="2"):
-            main(["identify", "readings.yaml", f"--{option}", value])
-        assert f"--{option} applies to --lines: a FILE states it itself" in capsys.readouterr().err
+    assert "give a FILE of readings, or --lines CSV" in reply(capsys, "identify", code=2)
+    for option in ("load 5", "bearing 6208", "lubricant vg46", "within 2e-4"):
+        said = reply(capsys, f"identify readings.yaml --{option}", code=2)
+        assert f"--{option.split()[0]} applies to --lines" in said
 
 
 def test_loads_that_no_state_carries_are_left_out(tmp_path):
@@ -226,12 +218,10 @@ def test_command(tmp_path, capsys):
     own = tmp_path / "mine"
     own.write_text(Path("inputs/bearings/6205").read_text())
     assert f"-var bearing {own} -var lubricant vg68" in reply(
-        capsys, ["identify", str(write(tmp_path, GOOD.replace("6205", str(own))))]
+        capsys, ["identify", write(tmp_path, GOOD.replace("6205", str(own)))]
     )
     row = "\n  - {rpm: 1797, BPFO: 3.55, within: 1e-4}"
-    said = json.loads(
-        reply(capsys, ["identify", str(write(tmp_path, GOOD.rstrip() + row)), "--json"])
-    )
+    said = answer(capsys, ["identify", write(tmp_path, GOOD.rstrip() + row)])
     assert max(abs(one["residual"]) for one in said["readings"]) > 3 and said["chi_squared"] > 9
 
 
@@ -253,8 +243,8 @@ def test_angle_beside_a_temperature_that_was_read_first(tmp_path, capsys):
     angles = []
     for order in (rows, rows[::-1]):
         angles.append(
-            json.loads(
-                reply(capsys, ["identify", str(write(tmp_path, head + "\n".join(order))), "--json"])
-            )["contact_angle_deg"]
+            answer(capsys, ["identify", write(tmp_path, head + "\n".join(order))])[
+                "contact_angle_deg"
+            ]
         )
     assert angles[0][0] > 5 and angles[0] == pytest.approx(angles[1], abs=0.05)

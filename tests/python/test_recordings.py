@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import raceway
 import synthetic
-from commands import reply
+from commands import answer, reply
 from raceway import envelope, inputs, passages, recording, shaft_speed, spectrum
 from raceway.cli import main
 from raceway.datasets import make
@@ -134,17 +134,13 @@ def test_the_true_speed_near_a_nominal_one(tmp_path, bearing, capsys):
     for away in (0.99, 1.01):
         found = recording.Recording(tmp_path / "a.csv", bearing, nominal=60 * SHAFT * away)
         assert found.rpm == pytest.approx(60 * SHAFT, rel=3e-5)
-    words = ["measured", str(tmp_path / "a.csv"), "--bearing", "6205", "--json"]
+    words = ["measured", str(tmp_path / "a.csv"), "--bearing", "6205"]
     said = []
     for speed in (["--nominal", "1800"], ["--rpm", f"{60 * SHAFT}"]):
-        said.append(json.loads(reply(capsys, [*words, *speed])))
+        said.append(answer(capsys, [*words, *speed]))
     assert said[0]["rpm_nominal"] == 1800
     for one, other in zip(*(given["lines"] for given in said)):
-        assert (one["name"], one["note"], one["found_Hz"]) == (
-            other["name"],
-            other["note"],
-            other["found_Hz"],
-        )
+        assert all(one[key] == other[key] for key in ("name", "note", "found_Hz"))
 
 
 @pytest.mark.parametrize("mark", [";", ";,", ",", "\t", "\t,", ",\t", "  "])
@@ -307,7 +303,7 @@ def test_the_speed_of_a_data_set_is_exact(tmp_path, bearing, capsys):
     make._save_matlab(tmp_path / "0007.mat", one, int(RATE), noise)
     cwru(tmp_path / "130.mat", noise)
     words = ["measured", str(tmp_path / "0007.mat"), "--bearing", "6205"]
-    said = json.loads(reply(capsys, [*words, "--json"]))
+    said = answer(capsys, words)
     assert said["rpm"] == 60 * SHAFT and (said["rpm_from"], said["load_N"]) == ("file", 500)
     assert f"shaft {60 * SHAFT:.6g} rpm, as stated in the file\n" in reply(capsys, words)
     assert recording.Recording(tmp_path / "0007.mat", bearing).speed_uncertainty == 0
@@ -317,10 +313,10 @@ def test_the_speed_of_a_data_set_is_exact(tmp_path, bearing, capsys):
 def test_angle_of_a_four_point_contact_bearing(tmp_path, capsys):
     """Its lines are those at the angle of its grooves."""
     columns(tmp_path / "a.csv", struck(seconds=0.5))
-    words = ["measured", str(tmp_path / "a.csv"), "--rpm", "1800", "--bearing", "QJ208", "--json"]
+    words = ["measured", str(tmp_path / "a.csv"), "--rpm", "1800", "--bearing", "QJ208"]
     said = []
     for more in ([], ["--angle", "35"]):
-        said.append([one["order"] for one in json.loads(reply(capsys, [*words, *more]))["lines"]])
+        said.append([one["order"] for one in answer(capsys, [*words, *more])["lines"]])
     assert said[0] == pytest.approx(said[1], rel=1e-12)
 
 

@@ -2,12 +2,10 @@
 """The response of a ring to small motions is compared with the closed-form solution for springs and
 dampers in series. Damping laws and the mean over a ball pass are tested too."""
 
-import json
-
 import numpy as np
 import pytest
 from bearings import B6208
-from commands import reply
+from commands import answer
 from raceway import film_damping, lubrication, ring_response, small_motion, static
 from raceway.inputs import Oil
 from raceway.theory.lubricant import Fluid
@@ -100,11 +98,11 @@ def test_full_needs_the_fluid():
 def test_static_prints_it(capsys):
     """The --json output includes the damping matrix for a bearing at standstill, which is null
     without a film."""
-    shape = ["static", "--load", "1500", "--axial", "2500", "--clearance", "20e-6", "--json"]
-    found = json.loads(reply(capsys, [*shape, "--rpm", "1910", "--lubricant", "mineral"]))
+    shape = "static --load 1500 --axial 2500 --clearance 20e-6"
+    found = answer(capsys, f"{shape} --rpm 1910 --lubricant mineral")
     matrix = np.array(found["damping"])
     assert matrix.shape == (5, 5) and np.all(np.diag(matrix) > 0)
     assert found["damping_x_N_s_m"] == matrix[0, 0]
     assert np.linalg.eigvalsh(matrix)[0] > -1e-12 * matrix.max()
     assert found["damping_law"] == ring_response.LAWS["full"]
-    assert json.loads(reply(capsys, shape))["damping"] is None
+    assert answer(capsys, shape)["damping"] is None

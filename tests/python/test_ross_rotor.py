@@ -217,7 +217,7 @@ def npz(tmp_path_factory):
 def test_npz(npz, found, tmp_path, capsys):
     file = tmp_path / "rotor.modes"
     words = ["--reduced", str(file), "--kept", "0", "0.4", "--places", "0.17", "--json"]
-    printed = json.loads(reply(capsys, ["shaft", str(npz), *words]))
+    printed = json.loads(reply(capsys, ["shaft", npz, *words]))
     want = rotor_matrices.bending(found, (0.0, 0.4), places=[0.17])
     rows = [line.split() for line in file.read_text().splitlines()]
     stations = [[float(one) for one in row[1:]] for row in rows if row[0] == "station"]
@@ -247,11 +247,11 @@ def test_toml(monkeypatch, tmp_path, given, capsys):
     (tmp_path / "r.toml").touch()
     file = tmp_path / "r.modes"
     assert "9 nodes from 0 m to 400 mm, without its bearings at 50 mm, 400 mm" in (
-        reply(capsys, ["shaft", str(tmp_path / "r.toml"), "--reduced", str(file)])
+        reply(capsys, ["shaft", tmp_path / "r.toml", "--reduced", file])
     )
     places = [line.split()[1] for line in file.read_text().splitlines() if line[:7] == "station"]
     assert [float(one) for one in places] == [0.05, 0.2, 0.4]
-    assert "there is no such file" in reply(capsys, ["shaft", str(tmp_path / "none.toml")], code=1)
+    assert "there is no such file" in reply(capsys, ["shaft", tmp_path / "none.toml"], code=1)
 
 
 @pytest.mark.parametrize(
@@ -268,9 +268,7 @@ def test_mistakes(npz, tmp_path, capsys, words, says):
     assert (
         says
         in reply(
-            capsys,
-            ["shaft", str(npz), *[str(file) if one == "FILE" else one for one in words]],
-            code=1,
+            capsys, ["shaft", npz, *[str(file) if one == "FILE" else one for one in words]], code=1
         )
         and not file.exists()
     )
@@ -292,10 +290,10 @@ def test_files_refused(tmp_path, capsys, data, says):
         path.write_bytes(data)
     elif data:
         np.savez(path, **data)
-    assert says in reply(capsys, ["shaft", str(path)], code=1)
+    assert says in reply(capsys, ["shaft", path], code=1)
 
 
 def test_without_ross(monkeypatch, tmp_path, capsys):
     monkeypatch.setitem(sys.modules, "ross", None)
     assert not ross_file.is_ross("inputs/shafts/motor")
-    assert "cannot load ROSS" in reply(capsys, ["shaft", str(tmp_path / "r.toml")], code=1)
+    assert "cannot load ROSS" in reply(capsys, ["shaft", tmp_path / "r.toml"], code=1)

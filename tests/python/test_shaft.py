@@ -9,7 +9,7 @@ import json
 import numpy as np
 import pytest
 from bearings import B6208
-from commands import reply
+from commands import answer, reply
 from host import ROOT
 from raceway import beam, shaft, static
 from raceway.cli import main
@@ -204,7 +204,7 @@ def test_command(motor, capsys, tmp_path):
     held = first["moment_y_N_m"] + second["moment_y_N_m"]
     assert first["load_x_N"] == pytest.approx((held - 1500 * 0.06) / 0.3, rel=1e-6)
     assert second["life_reference_h"] > 0 and second["tilt_rad"] < 1e-3
-    said = reply(capsys, ["shaft", str(MOTOR), "--out", str(tmp_path / "x.png")])
+    said = reply(capsys, ["shaft", MOTOR, "--out", tmp_path / "x.png"])
     assert "6208" in said and "tilt" in said
     assert (tmp_path / "x.png").stat().st_size > 10_000
 
@@ -213,7 +213,7 @@ def test_several_speeds(motor, capsys):
     """Each entry equals the result of a run at that speed alone; results below the accuracy of the
     equilibrium are 0."""
     speeds = ["1500", "9000"]
-    both = json.loads(reply(capsys, ["shaft", str(MOTOR), "--rpm", *speeds, "--json"]))
+    both = answer(capsys, ["shaft", MOTOR, "--rpm", *speeds])
     assert both[0] == json.loads(motor)
     assert [one["rpm"] for one in both] == [1500.0, 9000.0]
     said = shaft_command.over_speed(both).splitlines()
@@ -245,8 +245,8 @@ def test_files_with_mistakes(tmp_path, capsys, old, new, says):
     assert old in text
     path = tmp_path / "shaft"
     path.write_text(text.replace(old, new, 1))
-    assert says in reply(capsys, ["shaft", str(path), "--inputs", str(ROOT / "inputs")], code=1)
+    assert says in reply(capsys, ["shaft", path, "--inputs", ROOT / "inputs"], code=1)
 
 
 def test_no_file(capsys):
-    assert "cannot read nowhere" in reply(capsys, ["shaft", "nowhere"], code=1)
+    assert "cannot read nowhere" in reply(capsys, "shaft nowhere", code=1)

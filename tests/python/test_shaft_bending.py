@@ -45,12 +45,7 @@ def motions(found, place):
     )
     none = np.zeros_like(plane[0])
     return np.array(
-        [
-            [*plane[0], *none],
-            [*none, *plane[0]],
-            [*none, *-plane[1]],
-            [*plane[1], *none],
-        ]
+        [[*plane[0], *none], [*none, *plane[0]], [*none, *-plane[1]], [*plane[1], *none]]
     )
 
 
@@ -185,7 +180,7 @@ def test_no_mode_is_left(rotor):
 def test_mistakes(tmp_path, capsys, words, says):
     file = tmp_path / "modes"
     assert (
-        says in reply(capsys, ["shaft", str(MOTOR), "--reduced", str(file), *words], code=1)
+        says in reply(capsys, ["shaft", MOTOR, "--reduced", file, *words], code=1)
         and not file.exists()
     )
 
@@ -193,5 +188,5 @@ def test_mistakes(tmp_path, capsys, words, says):
 @pytest.mark.parametrize("words", [["--modes", "4"], ["--places", "0.1"], ["--damping", "0"]])
 def test_words_that_need_the_file(capsys, words):
     assert f"{words[0]} applies to --reduced FILE" in reply(
-        capsys, ["shaft", str(MOTOR), *words], code=1
+        capsys, ["shaft", MOTOR, *words], code=1
     )

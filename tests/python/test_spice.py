@@ -93,9 +93,7 @@ def test_current_of_moving_plates(tmp_path):
     tran = ".options method=gear\n.tran 2e-6 0.01 0 2e-6 uic\n"
     lines = "Vs ring 0 PWL(0 0 1m 6)\nX1 ring 0 bearing"
     found = ngspice.run(
-        f"test\n{spice.element(given)}\n{lines}\n{OPTIONS}{tran}.end\n",
-        tmp_path,
-        ["vs#branch"],
+        f"test\n{spice.element(given)}\n{lines}\n{OPTIONS}{tran}.end\n", tmp_path, ["vs#branch"]
     )
     data = circuit.run(given, Source(Table([0, 1e-3], [0, 6])), points=20).data
     middle = (data.time[1:] + data.time.values[:-1]) / 2  # away from the kinks
@@ -108,7 +106,7 @@ def test_current_of_moving_plates(tmp_path):
 def test_files_of_a_run(folder, tmp_path, capsys):
     out = tmp_path / "spice"
     command = ["export", str(folder), "--format", "spice", "--every", "2", "--resistivity", "1e9"]
-    assert reply(capsys, [*command, "--out", str(out)]) == f"{out / 'bearing.cir'}\n"
+    assert reply(capsys, [*command, "--out", out]) == f"{out / 'bearing.cir'}\n"
     given = of_run(raceway.open(folder), Leak(1e9)).every(2)
     assert (out / "bearing.cir").read_text() == spice.element(given)
     lines = (out / "bearing.pwl").read_text()
@@ -122,5 +120,5 @@ def test_files_of_a_run(folder, tmp_path, capsys):
 
 def test_resistivity_is_for_spice(folder, capsys):
     assert "--resistivity applies to --format spice" in reply(
-        capsys, ["export", str(folder), "--format", "xyz", "--resistivity", "1e9"], code=2
+        capsys, ["export", folder, "--format", "xyz", "--resistivity", "1e9"], code=2
     )

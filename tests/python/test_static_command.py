@@ -2,41 +2,23 @@
 """`raceway static` gives the same results as the library. Its tables, messages, exit codes and data
 files are tested."""
 
-import json
-
 import numpy as np
 import pytest
-from commands import reply
+from commands import answer, reply
 from host import ROOT
 from raceway import catalogue, inputs, static
-from raceway.cli import main
 from raceway.theory.lubrication import lubricate, turning
 
-FULL = [
-    "--load",
-    "2000",
-    "--axial",
-    "1000",
-    "--moment",
-    "10",
-    "-4e0",
-    "--rpm",
-    "477.5",
-    "--lubricant",
-    "mineral",
-    "--clearance",
-    "-5e-6",
-]
+FULL = (
+    "--load 2000 --axial 1000 --moment 10 -4e0 --rpm 477.5 --lubricant mineral --clearance -5e-6"
+).split()
 
 
 pytestmark = pytest.mark.usefixtures("in_the_tree")
 
 
 def figures(capsys, *arguments):
-    assert main(["static", *arguments, "--json"]) == 0
-    printed = capsys.readouterr()
-    assert printed.err == ""
-    return json.loads(printed.out)
+    return answer(capsys, ["static", *arguments])
 
 
 def test_figures_are_the_library_s(capsys):
@@ -200,21 +182,20 @@ def test_folder_here_comes_first(tmp_path, monkeypatch):
     ],
 )
 def test_cannot(capsys, arguments, said):
-    assert main(["static", *arguments]) == 1
-    printed = capsys.readouterr()
-    assert printed.out == "" and printed.err.startswith("raceway: ") and said in printed.err
+    printed = reply(capsys, ["static", *arguments], code=1)
+    assert printed.startswith("raceway: ") and said in printed
 
 
 def test_a_ring_held_in_the_middle_has_no_load_parameter(capsys):
     held = ["--load", "100", "--hold", "x=0", "--hold", "y=0", "--clearance=-20e-6"]
-    found = json.loads(reply(capsys, ["static", *held, "--json"]))
+    found = answer(capsys, ["static", *held])
     assert found["load_parameter"] is None and found["loaded_balls"] == 9
 
 
 def test_broken_data_file(capsys, tmp_path):
     path = tmp_path / "mine"
     path.write_text("variable balls index nine\n")
-    assert str(path) in reply(capsys, ["static", "--load", "10", "--bearing", str(path)], code=1)
+    assert str(path) in reply(capsys, ["static", "--load", "10", "--bearing", path], code=1)
 
 
 @pytest.mark.parametrize(
@@ -225,10 +206,7 @@ def test_broken_data_file(capsys, tmp_path):
         (["--clearance", "1"], "must lie from -0.001 to 0.001 m"),
         (["--moment", "nan", "0"], "nan is out of range"),
         (["--tilt", "1", "0"], "must lie from -0.2 to 0.2 rad"),
-        (
-            ["--tilt", "20min", "0"],
-            "'20min' is not a number in rad",
-        ),
+        (["--tilt", "20min", "0"], "'20min' is not a number in rad"),
         (["--hold", "w=3"], "'w=3' is not NAME=VALUE with NAME one of x, y, z, rx, ry"),
         (["--hold", "x=far"], "'far' is not a number"),
         (["--hold", "x=1e-6", "--hold", "x=2e-6"], "--hold: x is given twice"),
@@ -239,15 +217,11 @@ def test_broken_data_file(capsys, tmp_path):
     ],
 )
 def test_wrong_command_line(capsys, arguments, said):
-    with pytest.raises(SystemExit) as stop:
-        main(["static", *arguments])
-    assert stop.value.code == 2
-    printed = capsys.readouterr()
-    assert printed.out == "" and said in printed.err
+    assert said in reply(capsys, ["static", *arguments], code=2)
 
 
 def test_help_teaches(capsys):
-    assert "raceway static --load 5000" in reply(capsys, ["static", "--help"])
+    assert "raceway static --load 5000" in reply(capsys, "static --help")
 
 
 def test_full_models(capsys):
@@ -273,7 +247,7 @@ def test_full_models(capsys):
 
 def test_temperature_needs_a_lubricant_that_has_it(capsys):
     assert "--temperature applies to the lubricant; give --lubricant" in reply(
-        capsys, ["static", "--load", "1", "--temperature", "70"], code=2
+        capsys, "static --load 1 --temperature 70", code=2
     )
     arguments = ["static", "--load", "1", "--rpm", "9", "--temperature", "70"]
     assert "mineral has values for 40 C only, not for 70 C" in reply(

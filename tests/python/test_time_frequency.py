@@ -101,7 +101,7 @@ def test_command(run_up, tmp_path, capsys):
     words = ["spectrum", str(run_up), "--signal", "x", "--kind", "time"]
     out = tmp_path / "picture.png"
     for more in ([], ["--envelope", "--band", "20", "4000"], ["--envelope"]):
-        assert reply(capsys, [*words, *more, "--out", str(out)]).strip() == str(out)
+        assert reply(capsys, [*words, *more, "--out", out]).strip() == str(out)
         assert out.stat().st_size > 10_000
         out.unlink()
     assert "--json applies to --kind lines" in reply(capsys, [*words, "--json"], code=2)

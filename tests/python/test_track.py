@@ -90,14 +90,14 @@ def test_a_warming_bearing(folder):
 def test_mistakes(folder, capsys, old, new, says):
     path = folder[0] / "hours.yaml"
     path.write_text(FILE.replace(old, new))
-    assert says in reply(capsys, ["track", str(path)], code=1)
+    assert says in reply(capsys, ["track", path], code=1)
 
 
 def test_times_must_rise(folder, capsys):
     path = folder[0] / "hours.csv"
     pd.read_csv(path).iloc[::-1].to_csv(path, index=False)
     assert "the times of the rows of a series must increase" in reply(
-        capsys, ["track", str(folder[0] / "hours.yaml")], code=1
+        capsys, ["track", folder[0] / "hours.yaml"], code=1
     )
 
 

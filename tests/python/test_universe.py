@@ -45,15 +45,7 @@ def test_every_frame_in_any_order(run):
         assert np.array_equal(u.atoms.velocities, ts.data["velocity"].astype(np.float32))
         for side in ("inner", "outer"):
             here = contacts.sel(raceway=side).isel(time=frame)
-            for name in (
-                "load",
-                "pressure",
-                "h_min",
-                "lambda",
-                "capacitance",
-                "azimuth",
-                "overlap",
-            ):
+            for name in "load pressure h_min lambda capacitance azimuth overlap".split():
                 values = ts.data[f"{name}_{side}"]
                 assert values.dtype == np.float64 and len(values) == 20
                 assert np.array_equal(values[:9], here[name], equal_nan=True)

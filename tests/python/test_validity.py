@@ -2,12 +2,11 @@
 """Tests of the limits of the formulas: bounds defined in C++, and ellipses that reach the shoulder
 of their groove."""
 
-import json
 import math
 
 import numpy as np
 import pytest
-from commands import reply
+from commands import answer, reply
 from raceway import catalogue, inputs, operating_point
 from raceway.inputs import InputError
 from raceway.theory.bearing import Bearing
@@ -83,7 +82,7 @@ def test_a_ring_held_along_its_axis(name, capsys):
     def said(*more):
         point = ["--rpm", "3000", "--lubricant", "vg46", "--load", "1000"]
         text = reply(capsys, [name, *point, *more])
-        warnings = json.loads(reply(capsys, [name, *point, *more, "--json"]))["warnings"]
+        warnings = answer(capsys, [name, *point, *more])["warnings"]
         assert all(one in text for one in warnings)
         return [one for one in warnings if one.startswith("the balls push the inner ring along")]
 

@@ -34,11 +34,7 @@ COMMANDS = [
     "export run --format vtk --every 800",
     "export run --format xyz --every 800",
 ]
-PICTURES = [
-    "plot run --kind bearing",
-    "plot run --kind motion",
-    "spectrum run --out run/lines.png",
-]
+PICTURES = ["plot run --kind bearing", "plot run --kind motion", "spectrum run --out run/lines.png"]
 MOTOR = "circuit run --motor 50e-12 1e-9 --common-mode 560 2000 50 0.8 --strength 70e6 --arc 1"
 CIRCUITS = [
     f"{MOTOR} --json",

@@ -71,7 +71,7 @@ def copied(folder, to, **changes):
 )
 def test_a_command_that_needs_contacts(sums, words, capsys):
     name, *more = words
-    said = reply(capsys, [name, str(sums), *more], code=1)
+    said = reply(capsys, [name, sums, *more], code=1)
     assert NO_CONTACTS in said and said.count("\n") == 1
 
 
@@ -115,7 +115,7 @@ def test_what_else_the_record_holds_is_there(sums, motion_alone):
 @pytest.mark.parametrize("kept", [0, 3, 100, 3000, 9000, 20000, -1])
 def test_a_record_cut_short(sums, kept, tmp_path, capsys):
     folder = copied(sums, tmp_path / "run", cut=kept)
-    said = reply(capsys, ["summary", str(folder)], code=1)
+    said = reply(capsys, ["summary", folder], code=1)
     assert f"cannot read {folder}/record.nc: it is truncated or damaged" in said
     assert said.count("\n") == 1
 
@@ -128,7 +128,7 @@ def test_nothing_was_recorded(words, tmp_path, capsys):
     else:
         succeed(small(tmp_path, "content none"))
     for command in (["summary"], ["plot", "--kind", "motion"], ["animate"], ["report"]):
-        said = reply(capsys, [command[0], str(folder), *command[1:]], code=1)
+        said = reply(capsys, [command[0], folder, *command[1:]], code=1)
         assert "has no record.nc: its run recorded nothing, or the file was removed" in said
         assert "-var record all or fix bearing/record writes one" in said and "column" not in said
 
@@ -138,17 +138,14 @@ def test_run_yaml_is_gone(sums, tmp_path, capsys):
     (folder / "run.yaml").unlink()
     for command in ("summary", "report"):
         assert f"{folder}/run.yaml, which states whether" in reply(
-            capsys, [command, str(folder)], code=1
+            capsys, [command, folder], code=1
         )
     assert raceway.open(folder).rings.sizes["time"] == 41
 
 
 @pytest.mark.parametrize(
     "samples, said",
-    [
-        (0, "has no samples: its run has just begun"),
-        (1, "has 1 sample: results are means over"),
-    ],
+    [(0, "has no samples: its run has just begun"), (1, "has 1 sample: results are means over")],
 )
 @pytest.mark.parametrize("deck", ["sums", "motion_alone"])
 def test_hardly_a_sample(deck, samples, said, tmp_path, request, capsys):
@@ -160,7 +157,7 @@ def test_hardly_a_sample(deck, samples, said, tmp_path, request, capsys):
         with pytest.raises(RunError, match=said):
             run.summary()
     for command in ("summary", "plot", "report"):
-        assert said in reply(capsys, [command, str(folder)], code=1)
+        assert said in reply(capsys, [command, folder], code=1)
 
 
 @pytest.mark.parametrize("samples", [0, 1])
@@ -170,5 +167,5 @@ def test_too_few_samples_for_a_command(samples, tmp_path, capsys):
     commands = [["circuit", "--floating", "10"], ["export", "--format", "spice"]]
     commands += [["plot", "--kind", "waterfall"], *([["animate"]] if samples == 0 else [])]
     for name, *more in commands:
-        said = reply(capsys, [name, str(folder), *more], code=1)
+        said = reply(capsys, [name, folder, *more], code=1)
         assert "sample" in said and said.count("\n") == 1

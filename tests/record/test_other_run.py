@@ -33,7 +33,7 @@ def test_of_the_main_deck(one, words, key, tmp_path, capsys):
     succeed(out=tmp_path, **{**SHORT, **words})
     shutil.copy(one / "record.nc", tmp_path)
     for command in ("summary", "plot", "report"):
-        said = reply(capsys, [command, str(tmp_path)], code=1)
+        said = reply(capsys, [command, tmp_path], code=1)
         assert f"{tmp_path}/record.nc belongs to a different run than run.yaml: {key} is" in said
         assert said.count("\n") == 1
 

@@ -139,10 +139,7 @@ def test_two_bearings_of_one_name(tmp_path):
 def test_a_run_after_the_measurement(tmp_path):
     """A record with samples per ball pass ends with the measurement of run_bearing; later runs,
     also with another time step, add nothing."""
-    begin = (
-        "create_bearing b speed 100 0",
-        f"fix inner inner bearing/ring spin speed 100 {LOAD}",
-    )
+    begin = ("create_bearing b speed 100 0", f"fix inner inner bearing/ring spin speed 100 {LOAD}")
     deck = DECK + "\n".join(begin) + END
     records = []
     for name, more in (("alone", ""), ("more", "run 20\ntimestep 1e-5\nrun 20\n")):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Type hints for numbers and arrays, and helpers for the `__repr__` of results. Shapes and units
-are stated in docstrings."""
+"""Type hints for numbers and arrays, and helpers for the `__repr__` and the JSON of results. Shapes
+and units are stated in docstrings."""
 
+import math
 from dataclasses import fields, is_dataclass
 from typing import Any
 
@@ -41,3 +42,14 @@ def _value(value):
     if isinstance(value, list):
         return f"{len(value)}, each {_value(value[0])}" if value else "none"
     return repr(value)
+
+
+def plain(value: Any) -> Any:
+    """Convert a result, or a dict or list of results, for JSON. Numbers that are not finite, e.g.
+    the capacitance of contacts without a film, become None."""
+    if isinstance(value, dict):
+        return {key: plain(one) for key, one in value.items()}
+    if isinstance(value, list):
+        return [plain(one) for one in value]
+    value = value.item() if isinstance(value, np.generic) else value
+    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -18,16 +18,10 @@ from raceway.theory.validity import Shoulders
 
 # deck variables for the fields of `Lubricant`, in their order, and for the fields of `Fluid`
 PHYSICAL = (
-    "oil_density_40",
-    "oil_density_slope",
-    "pressure_viscosity_40",
-    "pressure_viscosity_100",
-    "permittivity_40",
-    "oil_conductivity",
-    "oil_heat_capacity",
-    "eyring_stress",
-    "limiting_traction",
-)
+    "oil_density_40 oil_density_slope pressure_viscosity_40 pressure_viscosity_100"
+    " permittivity_40 oil_conductivity oil_heat_capacity eyring_stress"
+    " limiting_traction"
+).split()
 FLUID = {
     "viscosity": "viscosity",
     "pressure_viscosity": "pressure_viscosity",

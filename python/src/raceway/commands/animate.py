@@ -26,7 +26,6 @@ COLOURS = ("load", "pressure", "film", "capacitance")
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one_run.add(one)
     one.add_argument(
         "--colour",
@@ -73,7 +72,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Write the animation and print its path."""
     # loading matplotlib takes longer than printing --help
     from raceway.pictures.animation import animation
 

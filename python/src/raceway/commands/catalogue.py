@@ -7,6 +7,7 @@ import json
 import sys
 from pathlib import Path
 
+from raceway.commands import options
 from raceway.commands.quantity import number
 
 HELP = "list and search bearings by size, rating and name"
@@ -50,7 +51,6 @@ COLUMNS = (
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one.add_argument(
         "words", nargs="*", metavar="WORD", help="show only bearings that contain this text"
     )
@@ -71,11 +71,7 @@ def add(one: argparse.ArgumentParser) -> None:
             help=f"lower limit of {symbol} in newtons",
         )
     one.add_argument("--clearances", action="store_true", help="add the clearance classes C2 to C5")
-    one.add_argument(
-        "--inputs",
-        metavar="DIR",
-        help="the inputs folder (default: search this folder and its parents, then the package)",
-    )
+    options.inputs(one)
     form = one.add_mutually_exclusive_group()
     form.add_argument("--json", action="store_true", help="print a JSON list in SI units")
     form.add_argument(
@@ -87,10 +83,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the bearings, or write one of them to a file.
-
-    Raise `RacewayError` if no bearing matches or if a file cannot be used.
-    """
     from raceway import listing
     from raceway.inputs import InputError
 

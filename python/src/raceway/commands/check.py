@@ -25,17 +25,12 @@ Exit codes: 0 done, 1 the run cannot be repeated, 2 wrong command line."""
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     options.run_folder(one)
     options.variables(one, "bearing or lubricant data that were given to the run")
     options.deck(one)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Repeat the run and print its results with their errors.
-
-    Raise `RacewayError` if the run cannot be repeated.
-    """
     from raceway.runs.summary import summary
     from raceway.runs.summary_table import table
     from raceway.runs.tables import RunTables

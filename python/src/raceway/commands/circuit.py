@@ -32,7 +32,6 @@ FARAD = number(0, 1, "F")
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one_run.add(one)
     _outer(one)
     _voltage(one)
@@ -159,7 +158,6 @@ def _voltage(one):
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the results and write the requested files."""
     from raceway.electric import circuit, circuit_figures
     from raceway.electric.breakdown import Breakdown
     from raceway.electric.leak import Leak

@@ -31,7 +31,6 @@ Exit codes: 0 done, 1 the run or the file cannot be used, 2 wrong command line."
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one_run.add(one)
     recorded.add(one, bearing=False)
     one.add_argument(
@@ -49,10 +48,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the results of a run and a recording side by side, and plot them on request.
-
-    Raise `RacewayError` if the run or the recording cannot be used.
-    """
     from raceway.recordings.compare import compare
     from raceway.recordings.recording import Recording
 
@@ -85,28 +80,21 @@ def run(arguments: argparse.Namespace) -> None:
 
 def figures(found: "Comparison") -> dict[str, Any]:
     """Return the results of run and recording for JSON; values that were not found are None."""
+    from raceway.arrays import plain
+
     sides = {
         name: {"title": side.title, "rate_Hz": side.rate, "shaft_Hz": side.shaft}
         | {"unit": side.units}
-        | {key: _known(value) for key, value in side.level._asdict().items()}
+        | side.level._asdict()
         for name, side in (("run", found.run), ("recording", found.recording))
     }
     orders = ("nominal", "run", "recording")
     lines = [
-        {
-            f"{key}_order" if key in orders else key: (
-                value if isinstance(value, str | int) else _known(value)
-            )
-            for key, value in one._asdict().items()
-        }
+        {f"{key}_order" if key in orders else key: value for key, value in one._asdict().items()}
         | {f"{key}_amplitude_unit": sides[key]["unit"] for key in sides}
         for one in found.lines
     ]
-    return sides | {"band_Hz": list(found.band), "lines": lines}
-
-
-def _known(value):
-    return float(value) if math.isfinite(value) else None
+    return plain(sides | {"band_Hz": list(found.band), "lines": lines})
 
 
 def text(found: "Comparison") -> str:

@@ -26,7 +26,6 @@ stopped."""
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one.add_argument("spec", metavar="SPEC", help="YAML file with flaws, conditions and rates")
     one.add_argument("--out", metavar="DIR", help="folder for the data set")
     options.jobs(one)
@@ -36,10 +35,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Make the data set, or only check its specification.
-
-    Raise `RacewayError` if a run fails or if the specification cannot be used.
-    """
     from raceway.datasets.spec import read_spec, records
     from raceway.sweeps.points import deck_variables
 

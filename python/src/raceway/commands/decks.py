@@ -19,16 +19,11 @@ Exit codes: 0 done, 1 no such name or a file exists with different content, 2 wr
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one.add_argument("names", nargs="*", metavar="NAME", help="deck, bearing or lubricant")
     one.add_argument("--to", metavar="DIR", default=".", help="folder to copy to (default: .)")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the list or copy files.
-
-    Raise `RacewayError` if a name is unknown or if a different file is in the way.
-    """
     from raceway import decks
 
     for name in arguments.names:

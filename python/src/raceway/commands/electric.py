@@ -60,7 +60,6 @@ KEYS = {  # {option: key of the results of `electric_point`}
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one.add_argument("folder", nargs="?", metavar="DIR", help="folder written by a run")
     _operating_point(one)
     _surroundings(one)
@@ -69,9 +68,7 @@ def add(one: argparse.ArgumentParser) -> None:
     out.add_argument("--kind", choices=KINDS, help="kind of picture to draw; needs --out")
     out.add_argument("--out", metavar="PNG", help="file for the picture; needs --kind")
     out.add_argument(
-        "--csv",
-        metavar="FILE",
-        help="write a table of the points, or the curve of --kind reading",
+        "--csv", metavar="FILE", help="write a table of the points, or the curve of --kind reading"
     )
     out.add_argument("--json", action="store_true", help="print JSON instead of tables")
     one.set_defaults(unset=one.get_default, ask=_ask, filling=_filling)
@@ -181,10 +178,6 @@ def _electrics(one):
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the results and write the picture and the table.
-
-    Raise `RacewayError` if there is no equilibrium or if the data cannot be used.
-    """
     if arguments.folder is not None:
         return electric_run.run(arguments)
     # loading scipy takes longer than printing --help

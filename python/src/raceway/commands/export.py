@@ -30,7 +30,6 @@ Exit codes: 0 done, 1 the run is broken or the folder cannot be written, 2 wrong
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one_run.add(one)
     one.add_argument(
         "--format",
@@ -54,7 +53,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Write the files and print the path of the file to open."""
     out = arguments.out or Path(arguments.folder) / arguments.format
     if arguments.format == "spice":
         print(_element(arguments, out))

@@ -16,15 +16,10 @@ Exit codes: 0 done, even if points are missing or failed, 1 DIR has no sweep,
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one.add_argument("folder", metavar="DIR", help="folder of the sweep")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Write the table, and print its path and the number of points for each status.
-
-    Raise `RacewayError` if there is no sweep.
-    """
     # loading pandas takes longer than printing --help
     from raceway.sweeps.gather import write_results
 

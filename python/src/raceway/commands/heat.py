@@ -36,7 +36,6 @@ Exit codes: 0 done, 1 no steady state or unusable data, 2 wrong command line."""
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     options.bearing(one)
     options.grooves(one)
     options.spin_law(one)
@@ -116,10 +115,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the results.
-
-    Raise `RacewayError` if there is no steady state or if the data cannot be used.
-    """
     # loading scipy takes longer than printing --help
     from raceway.theory.steady_heat import curves, table
 

@@ -69,7 +69,6 @@ OUT = 3.0  # deviations above this multiple of their uncertainty are not explain
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one.add_argument("file", metavar="FILE", nargs="?", help="YAML file of readings; or --lines")
     one.add_argument(
         "--lines",
@@ -104,10 +103,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the state that follows from the readings.
-
-    Raise `RacewayError` if the readings cannot be used or if no state explains the loads.
-    """
     from raceway.recordings import line_table, readings
     from raceway.recordings.identify import identify
 
@@ -261,10 +256,7 @@ def _remarks(given, found) -> Sequence[str]:
         ]
         rows.append("uncertainty. A reading, a known value or the model is wrong.")
     if found.idle and given.models != "paper":
-        rows += [
-            "",
-            f"Up to {found.idle} balls are unloaded: the pocket play changes the",
-        ]
+        rows += ["", f"Up to {found.idle} balls are unloaded: the pocket play changes the"]
         rows.append("cage's speed by an unknown amount, included in the uncertainty of the lines.")
     return rows
 

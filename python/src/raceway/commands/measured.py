@@ -45,7 +45,6 @@ Exit codes: 0 done, 1 the file cannot be read or has too little data, 2 wrong co
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     recorded.add(one)
     one.add_argument("--raw", action="store_true", help="use the signal, not its envelope")
     harmonics(one)
@@ -73,10 +72,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the results for the recording, and plot them on request.
-
-    Raise `RacewayError` if the file cannot be read or has too little data.
-    """
     from raceway.runs import envelope, spectrum
 
     if arguments.raw and arguments.band:
@@ -118,6 +113,7 @@ def _over_time(arguments, opened, found):
 
 def _figures(opened: "Recording") -> dict[str, Any]:
     """Return file, speed, levels and warnings for JSON."""
+    from raceway import arrays
     from raceway.recordings import clipping
     from raceway.recordings.recording import level
     from raceway.runs.source import Signal
@@ -126,13 +122,10 @@ def _figures(opened: "Recording") -> dict[str, Any]:
         {
             "name": name,
             "values": len(one.values),
-            "rate_Hz": _known(one.rate),
+            "rate_Hz": one.rate,
             "unit": one.units,
             "mean": float(one.values.mean()),
-            **{
-                key: _known(value)
-                for key, value in level(Signal(one.values, 1 / one.rate, {}))._asdict().items()
-            },
+            **level(Signal(one.values, 1 / one.rate, {}))._asdict(),
             "clipped_share": clipping.share(one.values),
         }
         for name, one in opened.channels.items()
@@ -145,8 +138,8 @@ def _figures(opened: "Recording") -> dict[str, Any]:
         "rpm_uncertainty": 60 * found.uncertainty if found else None,
         "rpm_nominal": opened.nominal_rpm,
         "rpm_from": opened.speed_from,
-        "load_N": _known(opened.load),
-        "channels": channels,
+        "load_N": arrays.plain(opened.load),
+        "channels": arrays.plain(channels),
         "warnings": [
             f"{one['name']} is clipped: {one['clipped_share']:.2g} of its values are at a limit of"
             " the recorder, so levels are too low and lines have additional harmonics"
@@ -154,10 +147,6 @@ def _figures(opened: "Recording") -> dict[str, Any]:
             if one["clipped_share"]
         ],
     }
-
-
-def _known(value):
-    return float(value) if math.isfinite(value) else None
 
 
 def _text(figures):

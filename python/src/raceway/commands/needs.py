@@ -30,7 +30,6 @@ WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one.add_argument("deck", metavar="DECK", help="deck with the variables of inputs/in.6208")
     options.variables(one, "variable of the deck")
     one.add_argument(
@@ -59,10 +58,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Run the sets, print the results and write the files.
-
-    Raise `RacewayError` if the options are invalid or if the scene cannot be run.
-    """
     from raceway.pictures.needs import picture
     from raceway.sweeps import scene_parts
     from raceway.sweeps.needs import needs
@@ -86,14 +81,7 @@ def run(arguments: argparse.Namespace) -> None:
     runs = command(arguments)
     out = files.folder(arguments.out)
     end_on_signals()
-    found = needs(
-        scene,
-        _wanted(arguments.want, wet),
-        available,
-        out,
-        runs,
-        jobs=arguments.jobs,
-    )
+    found = needs(scene, _wanted(arguments.want, wet), available, out, runs, jobs=arguments.jobs)
     files.text(out / "needs.json", _json(as_json(found)))
     picture(found, out / "needs.png")
     print(table(found))

@@ -26,7 +26,6 @@ made), 2 wrong command line."""
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one.add_argument(
         "--out",
         metavar="DIR",
@@ -51,10 +50,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Make the requested products.
-
-    Raise `RacewayError` if a name is wrong, a case fails or a product cannot be made.
-    """
     # matplotlib and scipy take longer to load than `--help` should
     from raceway.paper import cases, press, runner
 

@@ -27,7 +27,6 @@ Exit codes: 0 done, 1 the run is broken or lacks the data for the picture, 2 wro
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one_run.add(one)
     one.add_argument(
         "--kind", choices=KINDS, default="overview", help="what to draw (default: %(default)s)"
@@ -36,7 +35,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Draw the picture and print its path."""
     from importlib import import_module  # loading matplotlib takes longer than printing --help
 
     draw = getattr(import_module(f"raceway.pictures.{arguments.kind}"), arguments.kind)

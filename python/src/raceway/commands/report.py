@@ -21,17 +21,12 @@ Exit codes: 0 done, 1 the folder has neither a finished run nor a sweep, 2 wrong
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one.add_argument("folder", metavar="DIR", help="folder of the run or of the sweep")
     one.add_argument("--out", metavar="HTML", help="file to write (default: DIR/report.html)")
     one_run.add_number(one)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Write the page and print its path.
-
-    Raise `RacewayError` if the folder contains neither a finished run nor a sweep.
-    """
     from raceway.report import of_run, of_sweep  # matplotlib is slow to import
 
     folder = Path(arguments.folder)

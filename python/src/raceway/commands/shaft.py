@@ -40,7 +40,6 @@ PLACES = ("shift_x_m", "shift_y_m", "shift_z_m", "tilt_x_rad", "tilt_y_rad")
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one.add_argument("file", metavar="FILE", help="YAML file of the shaft, or a ROSS rotor")
     options.inputs(one)
     options.point(one, "rpm", "shaft speed (default: the speed in the file)")
@@ -87,10 +86,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the results, and draw the shaft on request.
-
-    Raise `RacewayError` if there is no equilibrium or if the file or an option is invalid.
-    """
     # loading scipy takes longer than printing --help
     from raceway import ross_file, shaft_file
     from raceway.errors import RacewayError

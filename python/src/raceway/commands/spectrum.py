@@ -47,7 +47,6 @@ Exit codes: 0 done, 1 the run is broken or has no such signal, 2 wrong command l
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one_run.add(one)
     one.add_argument(
         "--signal",
@@ -94,7 +93,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the lines of the run, and plot them on request."""
     from raceway.runs import envelope
     from raceway.runs.spectrum import lines, of_run
 
@@ -183,14 +181,13 @@ def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> s
 
 def plain(line: "Line", unit: str) -> dict[str, Any]:
     """Return a `Line` of a signal in `unit` for JSON; values that were not found are None."""
-    values = line._asdict()
+    from raceway import arrays
+
     places = ("expected", "found", "by_cage")
-    keys = {key: f"{key}_{values['unit']}" if key in places else key for key in values}
-    values["unit"] = unit  # unit of the amplitude
-    return {
-        keys[key]: None if isinstance(value, float) and not math.isfinite(value) else value
-        for key, value in values.items()
-    }
+    values = line._replace(unit=unit)._asdict()  # the unit of the amplitude
+    return arrays.plain(
+        {f"{key}_{line.unit}" if key in places else key: one for key, one in values.items()}
+    )
 
 
 def count(text: str) -> int:

@@ -52,7 +52,6 @@ HOLD = {
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     options.bearing(one)
     loads = one.add_argument_group("loads on the inner ring")
     options.point(loads, "load")
@@ -150,10 +149,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the results.
-
-    Raise `RacewayError` if there is no equilibrium or if the data cannot be used.
-    """
     # loading scipy takes longer than printing --help
     from raceway.theory import load_spectrum
     from raceway.theory.operating_point import figures

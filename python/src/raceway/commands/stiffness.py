@@ -32,7 +32,6 @@ FORMATS = (".csv", ".json", ".toml")
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     options.bearing(one)
     options.grooves(one)
     options.point(one, "load")
@@ -78,10 +77,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the table, or write the file and print its name.
-
-    Raise `RacewayError` if there is no equilibrium or if the data cannot be used.
-    """
     ending = Path(arguments.out).suffix if arguments.out else None
     if ending is not None and ending not in FORMATS:
         arguments.complain(f"--out {arguments.out}: the name must end in {', '.join(FORMATS)}")

@@ -20,7 +20,6 @@ Exit codes: 0 done, 1 the folder has no finished run or a broken one, 2 wrong co
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one_run.add(one)
     one.add_argument(
         "--json", action="store_true", help="print a JSON object in SI units instead of a table"
@@ -28,7 +27,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the results."""
     from raceway.runs.statics import statics
     from raceway.runs.summary import summary
     from raceway.runs.summary_table import table

@@ -55,7 +55,6 @@ exec {command} --jobs "${{SLURM_CPUS_PER_TASK:-1}}" --part "${{SLURM_ARRAY_TASK_
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one.add_argument(
         "table",
         metavar="TABLE",
@@ -88,10 +87,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Run the points, only check them, or write a job array.
-
-    Raise `RacewayError` if the table cannot be used or if a point fails.
-    """
     points = read_points(arguments.table, deck_variables(arguments.deck))
     runs = command(arguments)
     out = Path(arguments.out or Path("build/sweep") / Path(arguments.table).stem)

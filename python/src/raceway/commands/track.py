@@ -35,7 +35,6 @@ Exit codes: 0 done, 1 the files are invalid or no state carries the loads, 2 wro
 
 
 def add(one: argparse.ArgumentParser) -> None:
-    """Add the options of the command to its parser."""
     one.add_argument("file", metavar="FILE", help="YAML file of known quantities and the series")
     options.inputs(one)
     one.add_argument("--out", metavar="PNG", help="plot the state against time")
@@ -45,10 +44,6 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the state over time.
-
-    Raise `RacewayError` if the files are invalid or if no state carries the loads.
-    """
     import pandas as pd
 
     from raceway import files

@@ -12,10 +12,7 @@ from raceway.files import FilePath, folder, whole
 from raceway.rows import Row, lines
 
 TOPICS = {
-    "Time": (
-        Row("time_s", "simulated", "s"),
-        Row("step_s", "step of the circuit", "s"),
-    ),
+    "Time": (Row("time_s", "simulated", "s"), Row("step_s", "step of the circuit", "s")),
     "Capacitance between the rings": (
         Row("capacitance_mean_F", "mean", "F"),
         Row("capacitance_min_F", "least", "F"),

@@ -37,11 +37,7 @@ class Leak:
             raise ValueError(f"permittivity = {self.permittivity:g} must be 1 or more")
 
     def of(
-        self,
-        capacitance: Floats,
-        contacts: xr.Dataset,
-        permittivity: float | None,
-        name: str,
+        self, capacitance: Floats, contacts: xr.Dataset, permittivity: float | None, name: str
     ) -> tuple[Floats, Floats | None]:
         """Return the conductance in S of films with `capacitance` (n, 2, Z) in F, and an array that
         is 1 where asperities conduct.

@@ -48,10 +48,7 @@ def write_lines(films: Films, path: FilePath) -> None:
     (s), capacitance (F), and leak resistance (ohm, inf if there is no leak). Raises `RunError` if
     the file cannot be written."""
     with np.errstate(divide="ignore"):
-        table = np.stack(
-            [films.time, series(films.capacitance).bearing, 1 / leak(films)],
-            axis=1,
-        )
+        table = np.stack([films.time, series(films.capacitance).bearing, 1 / leak(films)], axis=1)
     heading = "time_s capacitance_F leak_ohm"
     whole(path, lambda part: np.savetxt(part, table, "%.17g", header=heading))
 

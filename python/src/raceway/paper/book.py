@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Input data of the products: readings, the bearing and the oils."""
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -33,4 +34,4 @@ class Book:
 
     def entrainment(self, rpm: float) -> float:
         """Return U_r in m/s of the 6208 for an inner ring speed in rpm."""
-        return float(kinematics.entrainment(self.bearing, rpm * 0.10471975511965977))
+        return float(kinematics.entrainment(self.bearing, rpm * math.pi / 30))

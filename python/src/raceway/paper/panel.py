@@ -10,8 +10,6 @@ from matplotlib.figure import Figure
 from matplotlib.legend import Legend
 from numpy.typing import ArrayLike, NDArray
 
-from raceway.files import FilePath
-from raceway.pictures import style
 from raceway.pictures.style import FAINT, INK, REGIMES, SOFT
 
 SIZE, DPI = (6.6, 4.6), 110
@@ -36,11 +34,6 @@ def page(title: str, note: str, columns: int = 1) -> tuple[Figure, NDArray[Any]]
     for one in axes[0]:
         one.grid(True)
     return figure, axes[0]
-
-
-def write(figure: Figure, path: FilePath) -> None:
-    """Save the figure to `path`."""
-    style.save(figure, path)
 
 
 def ring_axis(axes: Axes) -> None:

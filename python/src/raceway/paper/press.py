@@ -56,10 +56,7 @@ def _statements(book, out):
         columns=["formulas", "quantity", "value", "unit", "label"],
     )
     table = pd.DataFrame(judged).map(plain)
-    return [
-        _csv(out / "statements.csv", table),
-        _csv(out / "quantities.csv", numbers),
-    ]
+    return [_csv(out / "statements.csv", table), _csv(out / "quantities.csv", numbers)]
 
 
 def _csv(path, table):

@@ -16,16 +16,12 @@ from raceway import yaml_file
 from raceway.inputs import InputError, Oil
 from raceway.paper import passage, theory
 from raceway.paper.book import OILS, Book
+from raceway.runs.settings import LUBRICANT
 from raceway.theory.bearing import INNER
 
 LOAD, SPEED = 5000.0, 0.41
 # {property of `Oil`: column of the table}
-COLUMN = {
-    "viscosity": "viscosity_Pa_s",
-    "pressure_viscosity": "pressure_viscosity_per_Pa",
-    "permittivity": "permittivity",
-    "roughness": "roughness_m",
-}
+COLUMN = dict(zip(Oil._fields, LUBRICANT))
 FILE = "inputs/paper/ranges.yaml"
 
 

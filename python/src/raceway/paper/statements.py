@@ -3,13 +3,10 @@
 
 import re
 from collections.abc import Mapping
-from importlib import resources
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-import yaml
-
-from raceway.paper.quantity import Quantity
+from raceway.paper.quantity import Quantity, data
 
 AGREE, DIFFER, UNKNOWN, SAME = "agree", "differ", "cannot be known", "as corrected"
 RULE = re.compile(r"(\w+)\s*([<>=])\s*(\S+)(?:\s+within\s+(\S+))?$")
@@ -46,7 +43,6 @@ class Judged(NamedTuple):
 
 def read() -> list[Statement]:
     """Return the `Statement` objects in the order of the paper."""
-    text = resources.files("raceway.paper").joinpath("statements.yaml").read_text(encoding="utf-8")
     return [
         Statement(
             str(one["where"]),
@@ -58,7 +54,7 @@ def read() -> list[Statement]:
             one.get("whole", {}),
             _found(one["found"]),
         )
-        for one in yaml.safe_load(text)
+        for one in data("statements")
     ]
 
 

@@ -16,11 +16,9 @@ from raceway.inputs import Oil
 from raceway.theory import capacitance, film, hertz, static
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
-PHASES = (
-    # number of positions of the first ball within a ball spacing; the mean over a ball pass is
-    # accurate to better than 1e-3
-    20
-)
+# number of positions of the first ball within a ball spacing; the mean over a ball pass is accurate
+# to better than 1e-3
+PHASES = 20
 
 
 class Contact(NamedTuple):
@@ -53,15 +51,8 @@ def contact(
     live = np.where(load > 0, load, np.nan)
     a, b = hertz.semi_axes(ellipse, bearing.effective_modulus, live)
     pressure = 1.5 * live / (np.pi * a * b)
-    group = film.group(
-        oil.viscosity,
-        oil.pressure_viscosity,
-        bearing.effective_modulus,
-        r_x,
-        ellipse.kappa,
-        speed,
-        live,
-    )
+    modulus, kappa = bearing.effective_modulus, ellipse.kappa
+    group = film.group(oil.viscosity, oil.pressure_viscosity, modulus, r_x, kappa, speed, live)
     h_c = film.h_c(r_x, group, printed=printed)
     value = capacitance.contact(oil.permittivity, pressure, a, b, h_c)
     return Contact(

@@ -48,11 +48,7 @@ def bearing_capacitance(
 
     The arguments are the same as in `ball`.
     """
+    some = range(PHASES)
     return float(
-        np.mean(
-            [
-                _solved(bearing, oil, radial_load, speed, filling, step).total
-                for step in range(PHASES)
-            ]
-        )
+        np.mean([_solved(bearing, oil, radial_load, speed, filling, k).total for k in some])
     )

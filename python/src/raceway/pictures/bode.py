@@ -4,13 +4,12 @@
 from collections.abc import Mapping
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from raceway.arrays import Floats
 from raceway.files import FilePath
 from raceway.pictures.electric_page import LEFT, RIGHT, head
-from raceway.pictures.style import PALETTE, STYLE, save
+from raceway.pictures.style import PALETTE, drawing
 from raceway.theory import impedance
 from raceway.theory.electric_point import Point
 
@@ -30,10 +29,8 @@ def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FileP
     loaded = found.inner.load > 0
     bare = type(found)(*(_plates(side, loaded) for side in (found.inner, found.outer)))
     frequency = frequencies(resistivity)
-    with plt.rc_context(STYLE):
-        figure, (top, bottom) = plt.subplots(
-            2, 1, figsize=(10, 7.6), dpi=110, sharex=True, height_ratios=(1.5, 1)
-        )
+    with drawing(path, figsize=(10, 7.6), dpi=110) as figure:
+        (top, bottom) = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1))
         figure.subplots_adjust(left=LEFT + 0.02, right=RIGHT, bottom=0.09, top=0.85, hspace=0.1)
         head(figure, names, "Impedance of the bearing")
         for one, text, colour, dashes in (
@@ -50,7 +47,6 @@ def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FileP
         for axes in (top, bottom):
             axes.set_xlim(frequency[0], frequency[-1])
             axes.grid(True)
-        save(figure, path)
 
 
 def _plates(side, loaded):

@@ -4,12 +4,11 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from raceway.files import FilePath
 from raceway.pictures.electric_page import LEFT, RIGHT, head, plain_ticks
-from raceway.pictures.style import PALETTE, STYLE, save
+from raceway.pictures.style import PALETTE, drawing
 from raceway.units import axis
 
 # {quantity against which the capacitance can be plotted: (label, factor)}
@@ -36,8 +35,8 @@ def parts(results: Sequence[Mapping[str, Any]], over: str, path: FilePath) -> No
     x = scale * np.array([one[over] for one in results])
     layers = np.array([[one[key] for one in results] for key, _, _ in PARTS])
     factor, unit = axis(layers.sum(0).max(), "F")
-    with plt.rc_context(STYLE):
-        figure, axes = plt.subplots(figsize=(10, 6), dpi=110)
+    with drawing(path, figsize=(10, 6), dpi=110) as figure:
+        axes = figure.subplots()
         figure.subplots_adjust(left=LEFT, right=RIGHT, bottom=0.11, top=0.83)
         head(figure, results[0], "Parts of the bearing capacitance", without=over)
         axes.grid(True)
@@ -55,4 +54,3 @@ def parts(results: Sequence[Mapping[str, Any]], over: str, path: FilePath) -> No
             plain_ticks(axes, x)
         handles, names = axes.get_legend_handles_labels()
         axes.legend(handles, names, loc="upper left", ncols=3)
-        save(figure, path)

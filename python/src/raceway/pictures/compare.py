@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Plot the envelope spectra of a run and a recording against shaft order, and mark their lines."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from raceway.files import FilePath
 from raceway.pictures.spectrum import COLOUR, PAPER
-from raceway.pictures.style import INK, SOFT, STYLE, save
+from raceway.pictures.style import INK, SOFT, drawing
 from raceway.recordings.compare import Comparison
 from raceway.units import axis
 
@@ -17,10 +16,8 @@ def picture(found: Comparison, path: FilePath) -> None:
     """Plot `found` and write it to the PNG file `path`. Raises `RunError` if it cannot be
     written."""
     last = 1.08 * max(one.nominal for one in found.lines)
-    with plt.rc_context(STYLE):
-        figure, axes = plt.subplots(
-            2, 1, sharex=True, figsize=(12, 8), dpi=120, layout="constrained"
-        )
+    with drawing(path, figsize=(12, 8), dpi=120, layout="constrained") as figure:
+        axes = figure.subplots(2, 1, sharex=True)
         for own, side, which in zip(axes, (found.run, found.recording), ("run", "recording")):
             order, amplitude = side.spectrum["order"].to_numpy(), side.spectrum.to_numpy()
             shown = (order > 0.1) & (order <= last)
@@ -45,4 +42,3 @@ def picture(found: Comparison, path: FilePath) -> None:
             )
             own.set_title(side.title, fontsize=10, color=SOFT)
         axes[1].set(xlabel="order of the shaft", xlim=(0, last))
-        save(figure, path)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Plot the position around the ring, the energy and the voltage of the discharges in a circuit."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from raceway.electric.circuit import Result
@@ -25,25 +24,20 @@ def picture(run: Run, result: Result, path: FilePath) -> None:
     panel shows the bearing voltage before each discharge, the voltage that remains after it, and
     the threshold voltage. Raises `RunError` if the picture cannot be written.
     """
-    with plt.rc_context(style.STYLE):
-        figure = plt.figure(figsize=(14, 7.4), dpi=110)
-        try:
-            head(figure, run.tables, _below(result), size=15)
-            grid = figure.add_gridspec(
-                1,
-                2,
-                left=LEFT,
-                right=RIGHT,
-                bottom=1.0 / 7.4,
-                top=1 - 2.05 / 7.4,
-                wspace=0.2,
-                width_ratios=(1, 1.25),
-            )
-            _map(figure.add_subplot(grid[0], projection="polar"), result.events)
-            _voltages(figure.add_subplot(grid[1]), result)
-            style.save(figure, path)
-        finally:
-            plt.close(figure)
+    with style.drawing(path, figsize=(14, 7.4), dpi=110) as figure:
+        head(figure, run.tables, _below(result), size=15)
+        grid = figure.add_gridspec(
+            1,
+            2,
+            left=LEFT,
+            right=RIGHT,
+            bottom=1.0 / 7.4,
+            top=1 - 2.05 / 7.4,
+            wspace=0.2,
+            width_ratios=(1, 1.25),
+        )
+        _map(figure.add_subplot(grid[0], projection="polar"), result.events)
+        _voltages(figure.add_subplot(grid[1]), result)
 
 
 def _below(result):

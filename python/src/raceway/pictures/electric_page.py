@@ -57,3 +57,14 @@ def plain_ticks(axes: Axes, x: Floats) -> None:
     ticks = [tick for tick in ticks if 0.999 * x.min() <= tick <= 1.001 * x.max()]
     axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     axes.minorticks_off()
+
+
+def around_ring(axes: Axes, edge: float) -> None:
+    """Set up polar `axes` for a field up to `edge` in V/m, with the load line pointing down."""
+    axes.set_theta_zero_location("S")
+    angles = (0, 45, 90, 135, 180, -135, -90, -45)
+    axes.set_thetagrids(range(0, 360, 45), [f"{angle}°" for angle in angles])
+    axes.set_rlim(0, 1.12e-6 * edge)
+    axes.set_rlabel_position(157)
+    words = "azimuth from the load line; field in V/µm"
+    axes.text(0.5, -0.09, words, transform=axes.transAxes, ha="center", color=SOFT)

@@ -2,15 +2,15 @@
 """Plot a bearing as a capacitor in a run: parts of the capacitance against time, fields around the
 ring, and impedance against frequency."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import xarray as xr
 
 from raceway.files import FilePath
 from raceway.pictures.bode import frequencies
 from raceway.pictures.capacitance_parts import PARTS
+from raceway.pictures.electric_page import around_ring
 from raceway.pictures.page import LEFT, RIGHT, against_time, head
-from raceway.pictures.style import COLOUR, NAME, PALETTE, SIDES, SOFT, STYLE, save
+from raceway.pictures.style import COLOUR, NAME, PALETTE, SIDES, drawing
 from raceway.runs import film_figures
 from raceway.runs.run import Run
 from raceway.units import axis, prefixed
@@ -24,8 +24,8 @@ def parts(run: Run, data: xr.Dataset, path: FilePath) -> None:
     `path`; `data` is from `film_figures.over_time`. Raises `RunError` if it cannot be written."""
     layers = np.stack([data[name].to_numpy() for name in VARIABLES])
     factor, unit = axis(layers.sum(0).max(), "F")
-    with plt.rc_context(STYLE):
-        figure, axes = plt.subplots(figsize=(10, 6), dpi=110)
+    with drawing(path, figsize=(10, 6), dpi=110) as figure:
+        axes = figure.subplots()
         figure.subplots_adjust(left=LEFT + 0.02, right=RIGHT, bottom=0.11, top=0.81)
         head(figure, run.tables, _below("Parts of the bearing capacitance", data), size=15)
         axes.grid(True)
@@ -39,7 +39,6 @@ def parts(run: Run, data: xr.Dataset, path: FilePath) -> None:
         against_time(axes, run.tables, layers.shape[1])
         axes.set(ylabel=f"capacitance ({unit})", ylim=(0, 1.22 * factor * layers.sum(0).max()))
         axes.legend(loc="upper left", ncols=3)
-        save(figure, path)
 
 
 def field(run: Run, fields: xr.Dataset, voltage: float, path: FilePath) -> None:
@@ -50,8 +49,7 @@ def field(run: Run, fields: xr.Dataset, voltage: float, path: FilePath) -> None:
     edges = np.linspace(-np.pi, np.pi, BINS + 1)
     which = np.clip(np.digitize(place.to_numpy(), edges) - 1, 0, BINS - 1)
     middle = np.append(edges[:-1] + np.pi / BINS, edges[0] + np.pi / BINS)
-    with plt.rc_context(STYLE):
-        figure = plt.figure(figsize=(10, 9), dpi=110)
+    with drawing(path, figsize=(10, 9), dpi=110) as figure:
         axes = figure.add_axes((0.12, 0.085, 0.76, 0.68), projection="polar")
         text = f"Largest field in the films at {prefixed(voltage, 'V')} across the bearing"
         head(figure, run.tables, text, size=14)
@@ -72,28 +70,13 @@ def field(run: Run, fields: xr.Dataset, voltage: float, path: FilePath) -> None:
                     lw=2.2,
                     label=f"{NAME[side]}, {over}",
                 )
-        axes.set_theta_zero_location("S")
-        axes.set_thetagrids(
-            range(0, 360, 45), [f"{a}°" for a in (0, 45, 90, 135, 180, -135, -90, -45)]
-        )
-        edge = min(max(largest.values()), 6 * largest["field"])
-        axes.set_rlim(0, 1.12e-6 * edge)
-        axes.set_rlabel_position(157)
-        axes.text(
-            0.5,
-            -0.09,
-            "azimuth from the load line; field in V/µm",
-            transform=axes.transAxes,
-            ha="center",
-            color=SOFT,
-        )
+        around_ring(axes, min(max(largest.values()), 6 * largest["field"]))
         figure.legend(
             *axes.get_legend_handles_labels(),
             loc="upper center",
             bbox_to_anchor=(0.5, 0.885),
             ncols=2,
         )
-        save(figure, path)
 
 
 def bode(run: Run, whole: xr.Dataset, resistivity: float, path: FilePath) -> None:
@@ -102,10 +85,8 @@ def bode(run: Run, whole: xr.Dataset, resistivity: float, path: FilePath) -> Non
     `whole` is from `whole_capacitance.over_time`. Raises `RunError` if it cannot be written."""
     frequency = frequencies(resistivity, 120)
     z = film_figures.spectrum(whole, frequency, resistivity).to_numpy()
-    with plt.rc_context(STYLE):
-        figure, (top, bottom) = plt.subplots(
-            2, 1, figsize=(10, 7.6), dpi=110, sharex=True, height_ratios=(1.5, 1)
-        )
+    with drawing(path, figsize=(10, 7.6), dpi=110) as figure:
+        (top, bottom) = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1))
         figure.subplots_adjust(left=LEFT + 0.04, right=RIGHT, bottom=0.09, top=0.85, hspace=0.1)
         head(figure, run.tables, _below("Impedance of the bearing", whole), size=15)
         for axes, values in ((top, np.abs(z)), (bottom, np.degrees(np.angle(z)))):
@@ -120,7 +101,6 @@ def bode(run: Run, whole: xr.Dataset, resistivity: float, path: FilePath) -> Non
         top.legend(loc="upper right")
         bottom.set(xlabel="frequency (Hz)", ylabel="phase (°)", ylim=(-95, 5))
         bottom.set_yticks([-90, -60, -30, 0])
-        save(figure, path)
 
 
 def _below(text, data):

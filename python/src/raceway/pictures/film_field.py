@@ -4,12 +4,11 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from raceway.files import FilePath
-from raceway.pictures.electric_page import head
-from raceway.pictures.style import COLOUR, NAME, SOFT, STYLE, save
+from raceway.pictures.electric_page import around_ring, head
+from raceway.pictures.style import COLOUR, NAME, SOFT, drawing
 from raceway.theory import film_voltage
 from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.electric_point import Point
@@ -47,8 +46,7 @@ def field(
     rough = [values[1][np.isfinite(values[1])].max(initial=0.0) for values in curves.values()]
     edge = min(max([smooth, *rough]), 6 * smooth)
     around = np.append(azimuth[order], azimuth[order][0] + 2 * np.pi)
-    with plt.rc_context(STYLE):
-        figure = plt.figure(figsize=(9.5, 8.6), dpi=110)
+    with drawing(path, figsize=(9.5, 8.6), dpi=110) as figure:
         axes = figure.add_axes((0.1, 0.085, 0.8, 0.7), projection="polar")
         head(figure, names, f"Field in the films at {prefixed(voltage, 'V')} across the bearing")
         for side in (OUTER, INNER):
@@ -66,23 +64,13 @@ def field(
                     ls=dashes,
                     label=f"{NAME[side]}, {text}",
                 )
-        axes.set_theta_zero_location("S")
-        axes.set_thetagrids(
-            range(0, 360, 45), [f"{a}°" for a in (0, 45, 90, 135, 180, -135, -90, -45)]
-        )
-        axes.set_rlim(0, 1.12e-6 * edge)
-        axes.set_rlabel_position(157)
+        around_ring(axes, edge)
         axes.tick_params(axis="y", labelsize=9, labelcolor=SOFT)
         for label in axes.get_yticklabels():  # a curve may pass behind a label
             label.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.8})
             label.set_zorder(5)
-        axes.text(
-            0.5, -0.09, "azimuth from the load line; field in V/µm", transform=axes.transAxes,
-            ha="center", color=SOFT,
-        )  # fmt: skip
         handles, labels = axes.get_legend_handles_labels()
         figure.legend(
             handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0.885), ncols=2,
             frameon=False,
         )  # fmt: skip
-        save(figure, path)

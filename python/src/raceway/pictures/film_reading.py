@@ -4,12 +4,11 @@
 from collections.abc import Mapping
 from typing import Any
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from raceway.files import FilePath
 from raceway.pictures.electric_page import LEFT, RIGHT, head, plain_ticks
-from raceway.pictures.style import PALETTE, SOFT, STYLE, save
+from raceway.pictures.style import PALETTE, SOFT, drawing
 from raceway.theory.film_reading import Reading
 
 
@@ -22,10 +21,8 @@ def reading(curve: Reading, names: Mapping[str, Any], path: FilePath) -> None:
         (curve.less_constant, "after subtraction of a constant", PALETTE[0], (0, (4, 2))),
     )
     h = 1e9 * curve.h_c
-    with plt.rc_context(STYLE):
-        figure, (top, bottom) = plt.subplots(
-            2, 1, figsize=(10, 8.2), dpi=110, sharex=True, height_ratios=(1.4, 1)
-        )
+    with drawing(path, figsize=(10, 8.2), dpi=110) as figure:
+        (top, bottom) = figure.subplots(2, 1, sharex=True, height_ratios=(1.4, 1))
         figure.subplots_adjust(left=LEFT + 0.02, right=RIGHT, bottom=0.085, top=0.86, hspace=0.1)
         head(figure, names, "Film thickness read from the capacitance")
         top.loglog(h, h, color=SOFT, lw=1, label="the film itself")
@@ -44,4 +41,3 @@ def reading(curve: Reading, names: Mapping[str, Any], path: FilePath) -> None:
         for axes in (top, bottom):
             axes.grid(True)
         plain_ticks(bottom, h)
-        save(figure, path)

@@ -2,7 +2,6 @@
 """Plot the motion of the inner ring (orbit, displacement, tilt), the moment that opposes its spin,
 and the force on the cage; for a one-piece cage, also its orbit and the pocket forces."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from raceway.errors import RunError
@@ -38,8 +37,7 @@ def motion(tables: RunTables, path: FilePath) -> None:
     if CAGE_RING in tables.record.fixed("ring_raceway"):
         panels += [_cage_orbit, _pockets]
     rows = (len(panels) + 1) // 2
-    with plt.rc_context(style.STYLE):
-        figure = plt.figure(figsize=(12, 1.9 + 4.6 * rows), dpi=130)
+    with style.drawing(path, figsize=(12, 1.9 + 4.6 * rows), dpi=130) as figure:
         height = figure.get_figheight()
         grid = figure.add_gridspec(
             rows,
@@ -51,13 +49,9 @@ def motion(tables: RunTables, path: FilePath) -> None:
             hspace=0.36,
             wspace=0.24,
         )
-        try:
-            head(figure, tables, "inner ring, displacement from the initial position")
-            for place, panel in zip(grid, panels):
-                panel(figure.add_subplot(place), tables)
-            style.save(figure, path)
-        finally:
-            plt.close(figure)
+        head(figure, tables, "inner ring, displacement from the initial position")
+        for place, panel in zip(grid, panels):
+            panel(figure.add_subplot(place), tables)
 
 
 def _orbit(axes, tables):

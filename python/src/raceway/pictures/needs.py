@@ -3,12 +3,11 @@
 
 import math
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import LogNorm
 
 from raceway.files import FilePath
-from raceway.pictures.style import INK, MAP, PALETTE, SOFT, STYLE, save
+from raceway.pictures.style import INK, MAP, PALETTE, SOFT, drawing
 from raceway.sweeps.needs import Needs
 from raceway.sweeps.needs_shown import percent
 
@@ -21,15 +20,9 @@ def picture(found: Needs, path: FilePath) -> None:
     words = list(found.figures)
     rows = [(one.picked[0].label, one) for one in found.single]
     rows.append(("cheapest set with the required accuracy", found.best))
-    with plt.rc_context(STYLE):
-        figure, (effect, cost) = plt.subplots(
-            1,
-            2,
-            figsize=(15, 0.36 * len(rows) + 2.6),
-            width_ratios=(3, 1),
-            sharey=True,
-            layout="constrained",
-        )
+    size = (15, 0.36 * len(rows) + 2.6)
+    with drawing(path, figsize=size, layout="constrained") as figure:
+        effect, cost = figure.subplots(1, 2, width_ratios=(3, 1), sharey=True)
         values = np.array([[one.errors[word] for word in words] for _, one in rows])
         shown = effect.imshow(
             np.where(np.isfinite(values), np.clip(values, LEAST, MOST), np.nan),
@@ -42,10 +35,7 @@ def picture(found: Needs, path: FilePath) -> None:
             colour = INK if bright or not math.isfinite(value) else "white"
             effect.text(k, i, percent(value), ha="center", va="center", fontsize=9, color=colour)
         effect.set_yticks(range(len(rows)), [label for label, _ in rows])
-        effect.set_xticks(
-            range(len(words)),
-            [_head(word, found.wanted) for word in words],
-        )
+        effect.set_xticks(range(len(words)), [_head(word, found.wanted) for word in words])
         effect.tick_params(length=0)
         effect.spines[:].set_visible(False)
         effect.set_title("relative effect on the results")
@@ -61,7 +51,6 @@ def picture(found: Needs, path: FilePath) -> None:
         cost.set_title("cost")
         cost.tick_params(labelleft=False, length=0)
         effect.axhline(len(rows) - 1.5, color="white", linewidth=4)
-    save(figure, path)
 
 
 def _head(word, wanted):

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Plot an overview of a run in one picture."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from raceway.files import FilePath
@@ -28,13 +27,8 @@ def overview(tables: RunTables, path: FilePath) -> None:
     tables, whole = shown(tables, "; the results are for all of them"), tables
     figures = summary(whole)
     film = filmed(tables)
-    with plt.rc_context(style.STYLE):
-        figure = plt.figure(figsize=(12, 12) if film else (12, 7.9), dpi=130)
-        try:
-            _compose(figure, tables, figures, film)
-            style.save(figure, path)
-        finally:
-            plt.close(figure)
+    with style.drawing(path, figsize=(12, 12) if film else (12, 7.9), dpi=130) as figure:
+        _compose(figure, tables, figures, film)
 
 
 def _compose(figure, tables, figures, film):

@@ -2,7 +2,6 @@
 """Plot load and film around the ring, with curves for the simulation and dots for quasi-static
 theory."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from raceway.arrays import Floats
@@ -13,6 +12,7 @@ from raceway.pictures import around_ring, style
 from raceway.pictures.page import LEFT, RIGHT, head
 from raceway.pictures.part import LIGHT, filmed, shown
 from raceway.pictures.style import COLOUR, SIDES
+from raceway.runs.settings import LUBRICANT
 from raceway.runs.tables import RunTables
 from raceway.theory.lubrication import lubricate, turning
 
@@ -29,37 +29,32 @@ def polar(tables: RunTables, path: FilePath) -> None:
     """
     tables = shown(tables)
     film = filmed(tables)
-    with plt.rc_context(style.STYLE):
-        figure = plt.figure(figsize=(12, 7.4) if film else (7, 7.4), dpi=110)
-        try:
-            dots = theory(tables)
-            head(
-                figure,
-                tables,
-                "curves: simulation, all balls and samples"
-                + ("    dots: quasi-static theory, as in raceway static" if dots else ""),
-                size=15,
-            )
-            grid = figure.add_gridspec(
-                1,
-                2 if film else 1,
-                left=LEFT,
-                right=RIGHT,
-                bottom=1.0 / 7.4,
-                top=1 - 2.05 / 7.4,
-                wspace=0.16,
-            )
-            axes = figure.add_subplot(grid[0], projection="polar")
-            factor = around_ring.loads(axes, tables)
-            _dots(axes, dots, "load", factor)
-            if film:
-                axes = figure.add_subplot(grid[1], projection="polar")
-                factor = around_ring.film(axes, tables)
-                for name in ("h_c", "h_min"):
-                    _dots(axes, dots, name, factor)
-            style.save(figure, path)
-        finally:
-            plt.close(figure)
+    with style.drawing(path, figsize=(12, 7.4) if film else (7, 7.4), dpi=110) as figure:
+        dots = theory(tables)
+        head(
+            figure,
+            tables,
+            "curves: simulation, all balls and samples"
+            + ("    dots: quasi-static theory, as in raceway static" if dots else ""),
+            size=15,
+        )
+        grid = figure.add_gridspec(
+            1,
+            2 if film else 1,
+            left=LEFT,
+            right=RIGHT,
+            bottom=1.0 / 7.4,
+            top=1 - 2.05 / 7.4,
+            wspace=0.16,
+        )
+        axes = figure.add_subplot(grid[0], projection="polar")
+        factor = around_ring.loads(axes, tables)
+        _dots(axes, dots, "load", factor)
+        if film:
+            axes = figure.add_subplot(grid[1], projection="polar")
+            factor = around_ring.film(axes, tables)
+            for name in ("h_c", "h_min"):
+                _dots(axes, dots, name, factor)
 
 
 def theory(tables: RunTables) -> dict[int, dict[str, Floats]]:
@@ -70,21 +65,7 @@ def theory(tables: RunTables) -> dict[int, dict[str, Floats]]:
     if "angle" in tables.contacts and np.abs(tables.contacts["angle"]).max() > STRAIGHT:
         return {}
     settings, bearing, spin = tables.settings, tables.geometry, tables.settings["rpm"] * np.pi / 30
-    oil = (
-        Oil(
-            *(
-                settings[name]
-                for name in (
-                    "viscosity_Pa_s",
-                    "pressure_viscosity_per_Pa",
-                    "permittivity",
-                    "roughness_m",
-                )
-            )
-        )
-        if filmed(tables)
-        else None
-    )
+    oil = Oil(*(settings[name] for name in LUBRICANT)) if filmed(tables) else None
     found = {side: {"psi": [], "load": [], "h_min": [], "h_c": []} for side in SIDES}
     for k in range(PHASES):
         try:

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Plot a shaft at rest: its displacement in both planes, and the positions of the bearings."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from raceway.files import FilePath
-from raceway.pictures.style import FAINT, INK, PALETTE, SOFT, STYLE, save
+from raceway.pictures.style import FAINT, INK, PALETTE, SOFT, drawing
 from raceway.shaft_file import Case
 from raceway.theory.shaft import Rest
 from raceway.units import axis, prefixed
@@ -36,16 +35,8 @@ def picture(case: Case, rest: Rest, path: FilePath) -> None:
     places = rest.place
     planes = (("x", places[:, 0], places[:, 4]), ("y", places[:, 1], -places[:, 3]))
     factor, unit = axis(np.abs(places[:, :2]).max(), "m")
-    with plt.rc_context(STYLE):
-        figure, axes = plt.subplots(
-            2,
-            1,
-            figsize=(11, 6.4),
-            dpi=130,
-            layout="constrained",
-            height_ratios=(3, 1),
-            sharex=True,
-        )
+    with drawing(path, figsize=(11, 6.4), dpi=130, layout="constrained") as figure:
+        axes = figure.subplots(2, 1, height_ratios=(3, 1), sharex=True)
         for (name, moved, slope), colour in zip(planes, PALETTE):
             axes[0].plot(*_scaled(line(rest.z, moved, slope), factor), color=colour, label=name)
         axes[0].axhline(0, color=FAINT, lw=1, zorder=0)
@@ -77,7 +68,6 @@ def picture(case: Case, rest: Rest, path: FilePath) -> None:
                 bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.5, "alpha": 0.85},
             )
         axes[1].set(xlabel="z (mm)", ylabel="radius (mm)")
-        save(figure, path)
 
 
 def _scaled(points, factor):

@@ -5,13 +5,12 @@ dotted."""
 from collections.abc import Sequence
 from itertools import cycle
 
-import matplotlib.pyplot as plt
 import numpy as np
 import xarray as xr
 
 from raceway.files import FilePath
 from raceway.pictures.page import quantity
-from raceway.pictures.style import FAINT, INK, PALETTE, SOFT, STYLE, save
+from raceway.pictures.style import FAINT, INK, PALETTE, SOFT, drawing
 from raceway.runs.source import Source
 from raceway.runs.spectrum import COMPLIANCE, NAMES, OUTER_RING, SHAFT, Line
 from raceway.units import axis
@@ -56,8 +55,8 @@ def picture(run: Source, spectrum: xr.DataArray, found: Sequence[Line], path: Fi
         kind = [line for line in found if bool(line.note) == faint]
         row.update(zip(kind, levels([line.by_cage for line in kind], width * last)))
     above = 1 + max((row[line] for line in found if not line.note), default=0)
-    with plt.rc_context(STYLE):
-        figure, axes = plt.subplots(figsize=(12, 5.6), dpi=130, layout="constrained")
+    with drawing(path, figsize=(12, 5.6), dpi=130, layout="constrained") as figure:
+        axes = figure.subplots()
         axes.semilogy(
             frequency[shown], np.maximum(amplitude[shown] * factor, 1e-30), color=INK, lw=1.1
         )
@@ -109,4 +108,3 @@ def picture(run: Source, spectrum: xr.DataArray, found: Sequence[Line], path: Fi
                 )
         axes.set_title(quantity(spectrum.attrs["long_name"]), pad=26)
         axes.text(0, 1.02, run.title, transform=axes.transAxes, fontsize=10, color=SOFT)
-        save(figure, path)

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Common style of all pictures: colours and fonts, and a function that saves a figure."""
+"""Common style of all pictures: colours and fonts, and functions that start and save a figure."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 from matplotlib.figure import Figure
@@ -51,6 +54,19 @@ REGIMES = (
 
 
 FORMATS = {".pdf": "pdf", ".svg": "svg"}  # of pictures, by the ending of the name; others are PNG
+
+
+@contextmanager
+def drawing(path: FilePath, **options: Any) -> Iterator[Figure]:
+    """Yield a new figure in the common style, with the `options` of `plt.figure`, and write it to
+    `path` at the end of the block (`save`). The figure is closed in any case."""
+    with plt.rc_context(STYLE):
+        figure = plt.figure(**options)
+        try:
+            yield figure
+            save(figure, path)
+        finally:
+            plt.close(figure)
 
 
 def save(figure: Figure, path: FilePath) -> None:

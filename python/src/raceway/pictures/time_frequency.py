@@ -2,7 +2,6 @@
 """Plot a signal against time and frequency or order, with the names of the kinematic lines on the
 right and the shaft speed at the top."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import xarray as xr
 from matplotlib.colors import LogNorm
@@ -10,7 +9,7 @@ from matplotlib.colors import LogNorm
 from raceway.files import FilePath
 from raceway.pictures.page import quantity
 from raceway.pictures.spectrum import COLOUR, levels
-from raceway.pictures.style import FAINT, INK, MAP, SOFT, STYLE, save
+from raceway.pictures.style import FAINT, INK, MAP, SOFT, drawing
 from raceway.runs import spectrum
 from raceway.runs.source import Source
 from raceway.units import axis
@@ -35,8 +34,7 @@ def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
     shown = shown[:: -(-shown.shape[0] // MOST), :: -(-shown.shape[1] // MOST)]
     factor, unit = axis(float(shown.max()), found.attrs["units"])
     values = np.maximum(shown.to_numpy() * factor, 1e-30)
-    with plt.rc_context(STYLE):
-        figure = plt.figure(figsize=(12, 7.2), dpi=110, layout="constrained")
+    with drawing(path, figsize=(12, 7.2), dpi=110, layout="constrained") as figure:
         above, main = figure.subplots(2, 1, sharex=True, height_ratios=(1, 5))
         mesh = main.pcolormesh(
             shown["time"],
@@ -67,7 +65,6 @@ def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
         bar.outline.set_edgecolor(FAINT)
         above.set_title(_head(found), pad=26)
         above.text(0, 1.1, run.title, transform=above.transAxes, fontsize=10, color=SOFT)
-        save(figure, path)
 
 
 def _lines(run, found):

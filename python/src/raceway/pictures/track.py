@@ -3,10 +3,8 @@
 
 from collections.abc import Mapping
 
-import matplotlib.pyplot as plt
-
 from raceway.files import FilePath
-from raceway.pictures.style import INK, PALETTE, STYLE, save
+from raceway.pictures.style import INK, PALETTE, drawing
 from raceway.recordings.readings import STATE
 from raceway.recordings.track import HOUR, Track
 from raceway.units import axis
@@ -15,11 +13,9 @@ from raceway.units import axis
 def picture(found: Track, names: Mapping[str, str], path: FilePath) -> None:
     """Plot `found` and write the plot to the PNG file `path`; `names` maps each unknown to its name
     in words. Raises `RunError` if the file cannot be written."""
-    with plt.rc_context(STYLE):
-        size = len(found.names)
-        figure, all_axes = plt.subplots(
-            size, 1, sharex=True, figsize=(10, 1.2 + 2.1 * size), dpi=120, layout="constrained"
-        )
+    size = len(found.names)
+    with drawing(path, figsize=(10, 1.2 + 2.1 * size), dpi=120, layout="constrained") as figure:
+        all_axes = figure.subplots(size, 1, sharex=True)
         for k, (name, axes) in enumerate(zip(found.names, [all_axes] if size == 1 else all_axes)):
             unit = STATE[name][2]
             factor, shown = (1.0, "°C") if unit == "C" else axis(abs(found.best[:, k]).max(), unit)
@@ -30,4 +26,3 @@ def picture(found: Track, names: Mapping[str, str], path: FilePath) -> None:
             axes.set(ylabel=f"{names[name]} ({shown})")
             axes.grid(True)
         axes.set(xlabel="time (h)", xlim=(time[0], time[-1] if len(time) > 1 else time[0] + 1))
-        save(figure, path)

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Plot temperatures, losses and clearance of a run against thermal time."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from raceway.files import FilePath
-from raceway.pictures.style import INK, PALETTE, STYLE, save
+from raceway.pictures.style import INK, PALETTE, drawing
 from raceway.runs.measured import title
 from raceway.runs.tables import RunTables
 from raceway.runs.warming import PARTS, transient
@@ -21,11 +20,8 @@ def warming(tables: RunTables, path: FilePath) -> None:
     found = transient(tables.folder)
     time = found["thermal_time"].to_numpy()
     minutes = time[-1] > LONG
-    with plt.rc_context(STYLE):
-        figure, (warm, lost, clear) = plt.subplots(
-            3, 1, sharex=True, figsize=(10, 8), dpi=120, layout="constrained",
-            height_ratios=(2, 1, 1),
-        )  # fmt: skip
+    with drawing(path, figsize=(10, 8), dpi=120, layout="constrained") as figure:
+        (warm, lost, clear) = figure.subplots(3, 1, sharex=True, height_ratios=(2, 1, 1))
         along = time / 60 if minutes else time
         figure.suptitle(title(tables))
         for k, part in enumerate(PARTS):
@@ -47,4 +43,3 @@ def warming(tables: RunTables, path: FilePath) -> None:
         )
         for one in (warm, lost, clear):
             one.grid(True)
-        save(figure, path)

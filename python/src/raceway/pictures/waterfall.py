@@ -40,68 +40,63 @@ def waterfall(tables: RunTables, path: FilePath) -> None:
     total = tables.bearing_capacitance[samples - tables.first]
     factor, unit = axis(np.nanmax(each, initial=0.0), "F")
     times = tables.passes(samples)
-    with plt.rc_context(style.STYLE):
-        figure = plt.figure(figsize=(12, 8.4), dpi=110)
-        try:
-            head(
-                figure,
-                tables,
-                "capacitance of the Hertz areas; both contacts of a ball are in series, the balls"
-                " in parallel",
-                size=15,
-            )
-            grid = figure.add_gridspec(
-                2,
-                3,
-                left=0.075,
-                right=0.94,
-                bottom=0.085,
-                top=0.86,
-                width_ratios=(1, 0.3, 0.022),
-                height_ratios=(0.3, 1),
-                wspace=0.09,
-                hspace=0.1,
-            )
-            main = figure.add_subplot(grid[1, 0])
-            mesh = _bands(main, times, psi, each * factor, tables.settings["balls"])
-            main.set(
-                xlabel="azimuth from the load line (°)",
-                ylabel="time (ball passes)",
-                xlim=(-180, 180),
-                ylim=(times[0], times[-1]),
-                xticks=range(-180, 181, 45),
-            )
-            figure.legend(
-                handles=[Patch(fc=IDLE, ec=FAINT, label="none: not loaded\non both raceways")],
-                loc="upper right",
-                bbox_to_anchor=(0.965, 0.87),
-                handlelength=1.4,
-            )
-            above = figure.add_subplot(grid[0, 0], sharex=main)
-            _around(above, psi, each * factor)
-            above.set(
-                ylim=(0, 1.12 * np.nanmax(each, initial=0.0) * factor or 1),
-                ylabel=f"one ball ({unit})",
-            )
-            above.tick_params(labelbottom=False)
-            beside = figure.add_subplot(grid[1, 1], sharey=main)
-            factor, unit_all = axis(total.max(), "F")
-            beside.plot(total * factor, times, color=INK, lw=1.8)
-            # choose the range so that a ripple of one per cent is visible but small
-            half = max(0.6 * np.ptp(total), 0.025 * total.max()) * factor or 1
-            beside.set(
-                xlabel=f"bearing ({unit_all})",
-                xlim=(total.min() + total.max()) / 2 * factor + np.array([-half, half]),
-            )
-            beside.tick_params(labelleft=False)
-            for axes in (above, beside):
-                axes.grid(True)
-            figure.colorbar(
-                mesh, cax=figure.add_subplot(grid[1, 2]), label=f"one ball ({unit})"
-            ).outline.set_edgecolor(FAINT)
-            style.save(figure, path)
-        finally:
-            plt.close(figure)
+    with style.drawing(path, figsize=(12, 8.4), dpi=110) as figure:
+        head(
+            figure,
+            tables,
+            "capacitance of the Hertz areas; both contacts of a ball are in series, the balls"
+            " in parallel",
+            size=15,
+        )
+        grid = figure.add_gridspec(
+            2,
+            3,
+            left=0.075,
+            right=0.94,
+            bottom=0.085,
+            top=0.86,
+            width_ratios=(1, 0.3, 0.022),
+            height_ratios=(0.3, 1),
+            wspace=0.09,
+            hspace=0.1,
+        )
+        main = figure.add_subplot(grid[1, 0])
+        mesh = _bands(main, times, psi, each * factor, tables.settings["balls"])
+        main.set(
+            xlabel="azimuth from the load line (°)",
+            ylabel="time (ball passes)",
+            xlim=(-180, 180),
+            ylim=(times[0], times[-1]),
+            xticks=range(-180, 181, 45),
+        )
+        figure.legend(
+            handles=[Patch(fc=IDLE, ec=FAINT, label="none: not loaded\non both raceways")],
+            loc="upper right",
+            bbox_to_anchor=(0.965, 0.87),
+            handlelength=1.4,
+        )
+        above = figure.add_subplot(grid[0, 0], sharex=main)
+        _around(above, psi, each * factor)
+        above.set(
+            ylim=(0, 1.12 * np.nanmax(each, initial=0.0) * factor or 1),
+            ylabel=f"one ball ({unit})",
+        )
+        above.tick_params(labelbottom=False)
+        beside = figure.add_subplot(grid[1, 1], sharey=main)
+        factor, unit_all = axis(total.max(), "F")
+        beside.plot(total * factor, times, color=INK, lw=1.8)
+        # choose the range so that a ripple of one per cent is visible but small
+        half = max(0.6 * np.ptp(total), 0.025 * total.max()) * factor or 1
+        beside.set(
+            xlabel=f"bearing ({unit_all})",
+            xlim=(total.min() + total.max()) / 2 * factor + np.array([-half, half]),
+        )
+        beside.tick_params(labelleft=False)
+        for axes in (above, beside):
+            axes.grid(True)
+        figure.colorbar(
+            mesh, cax=figure.add_subplot(grid[1, 2]), label=f"one ball ({unit})"
+        ).outline.set_edgecolor(FAINT)
 
 
 def bands(tables: RunTables) -> tuple[Integers, Floats, Floats]:

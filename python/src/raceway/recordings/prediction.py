@@ -34,8 +34,7 @@ class Model:
         self.readings = readings
         path, oil = readings.bearing, readings.lubricant
         self.bearing = inputs.bearing(path, one_groove="lines need one groove per ring")
-        self._boundary, self._density = inputs.boundary(path), inputs.ball_density(path)
-        self._size = inputs.size(path)
+        self._density, self._size = inputs.ball_density(path), inputs.size(path)
         self._near: dict[Point, Equilibrium | None] = {}  # equilibria of the last state
         self._lubricant, self._roughness = inputs.lubricant(oil), inputs.oil(oil).roughness
 
@@ -98,7 +97,6 @@ class Model:
         held = STRAIGHT | inputs.held(self.readings.bearing, axial, state["clearance"])
         return Scene(
             self.bearing,
-            self._boundary,
             self._lubricant,
             self._roughness,
             load + point.load_more,

@@ -13,7 +13,6 @@ from raceway.runs.run import Run
 from raceway.theory import capacitance, film_voltage, impedance
 from raceway.theory.electric_point import NOTHING, Ask
 
-SIDES = whole_capacitance.SIDES
 MEANING = {
     "plates": ("F", "capacitance of the contact ellipses (eq 12)"),
     "around": ("F", "capacitance around the ellipses of the loaded balls"),

@@ -11,13 +11,8 @@ from raceway.runs.tables import RunTables
 from raceway.theory import makers
 
 KEYS = (
-    "friction_torque_N_m",
-    "power_loss_W",
-    "losses_W",
-    "torque_skf_N_m",
-    "torque_palmgren_N_m",
-    "asperity_share",
-)
+    "friction_torque_N_m power_loss_W losses_W torque_skf_N_m torque_palmgren_N_m asperity_share"
+).split()
 STILL = 1e-9  # rad/s, relative speed below which the rings count as being at rest
 FEW = 1e-2  # fraction of the radial force below which an axial force is considered ripple
 

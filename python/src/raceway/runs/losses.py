@@ -33,10 +33,7 @@ def losses(run: Run) -> xr.Dataset:
     both = tables.record.read(["ring_mz", "ring_spin"], tables.first, tables.last)
     power = -(both["ring_mz"] * both["ring_spin"]).sum(axis=1)
     data = xr.merge(
-        [
-            {"torque": torque, "power_in": torque.copy(data=power)},
-            bearing[_known(bearing, run)],
-        ],
+        [{"torque": torque, "power_in": torque.copy(data=power)}, bearing[_known(bearing, run)]],
         join="inner",
         combine_attrs="drop_conflicts",
         compat="override",

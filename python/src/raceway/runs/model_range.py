@@ -23,27 +23,14 @@ from typing import Any, NamedTuple
 import yaml
 
 from raceway import catalogue, inputs
-from raceway.runs.settings import deck_words
+from raceway.runs.settings import LUBRICANT, deck_words
 from raceway.runs.tables import RunTables
-from raceway.theory import (
-    asperity,
-    capacitance,
-    film,
-    film_factors,
-    hertz,
-    rolling,
-    traction,
-)
+from raceway.theory import asperity, capacitance, film, film_factors, hertz, rolling, traction
 from raceway.theory.bearing import INNER
 from raceway.theory.friction_torque import Surfaces
 
 INPUTS = yaml.safe_load(files("raceway").joinpath("runs/model_range.yaml").read_text())
-FIELDS = {
-    "viscosity_Pa_s": "viscosity",
-    "pressure_viscosity_per_Pa": "pressure_viscosity",
-    "permittivity": "permittivity",
-    "roughness_m": "roughness",
-}
+FIELDS = dict(zip(LUBRICANT, inputs.Oil._fields))
 GUPTA = 10.0  # largest thermal loading for which Gupta's factor is valid
 SAME = 1e-6  # relative difference below which two values count as equal
 LAWS = ((film.h_min, film.h_c), (film.hamrock_dowson_min, film.hamrock_dowson_c))
@@ -85,11 +72,7 @@ def model_ranges(tables: RunTables, figures: Mapping[str, Any]) -> dict[str, Ran
     own = figures.get("friction_torque_N_m")
     if own and figures.get("models") == "full":
         known = [own, *makers, *_torques(tables, figures)]
-        why = (
-            "inlet, hysteresis, asperities, drag; SKF, Palmgren"
-            if makers
-            else ("inlet, hysteresis, asperities, drag")
-        )
+        why = f"inlet, hysteresis, asperities, drag{'; SKF, Palmgren' if makers else ''}"
         if len(known) > 1:
             result["friction_torque_N_m"] = Range(min(known), max(known), why)
     return result
@@ -151,23 +134,12 @@ def _films(tables, figures, oil, fluid):
         if typical:
             why.append(INPUTS[key]["why"])
     thinning = _thinning(tables, figures, fluid)
+    of, flow = (bearing.effective_modulus, r_x, ellipse.kappa, speed, load), LUBRICANT[:2]
     found = []
-    for law, viscosity, xi, thin in product(
-        LAWS, ends["viscosity_Pa_s"], ends["pressure_viscosity_per_Pa"], thinning
-    ):
-        group = film.group(
-            viscosity, xi, bearing.effective_modulus, r_x, ellipse.kappa, speed, load
-        )
+    for law, viscosity, xi, thin in product(LAWS, *(ends[key] for key in flow), thinning):
+        group = film.group(viscosity, xi, *of)
         found.append([thin * float(one(r_x, group)) for one in law])
-    usual = film.group(
-        figures["viscosity_Pa_s"],
-        figures["pressure_viscosity_per_Pa"],
-        bearing.effective_modulus,
-        r_x,
-        ellipse.kappa,
-        speed,
-        load,
-    )
+    usual = film.group(*(figures[key] for key in flow), *of)
     # The ratio of the run's film to that of the law contains all other effects on the thickness.
     scale = [figures["h_min_m"] / film.h_min(r_x, usual), figures["h_c_m"] / film.h_c(r_x, usual)]
     lows = [float(k * min(one[i] for one in found)) for i, k in enumerate(scale)]

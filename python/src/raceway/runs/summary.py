@@ -54,18 +54,9 @@ def summary(tables: RunTables) -> dict[str, Any]:
     result = {
         key: settings.get(key)
         for key in (
-            "bearing",
-            "lubricant",
-            "host",
-            "integrator",
-            "models",
-            "temperature_C",
-            "load_N",
-            "rpm",
-            "clearance_m",
-            "step_s",
-            "passes",
-        )
+            "bearing lubricant host integrator models temperature_C load_N rpm clearance_m"
+            " step_s passes"
+        ).split()
     }
     result.update({key: settings[key] if tables.lubricated else None for key in LUBRICANT})
     result.update(_of_bearing(tables))
@@ -265,10 +256,7 @@ def _displacement(tables):
         moved = tables.record.read(["ring_x", "ring_y"], tables.first, tables.last)
         x, y = (moved[f"ring_{axis}"][:, outer][:, 0] for axis in "xy")
         shift -= _along_load(tables, x, y)[later].mean()
-    return {
-        "ring_shift_m": shift,
-        "load_parameter": load_parameter(tables, shift),
-    }
+    return {"ring_shift_m": shift, "load_parameter": load_parameter(tables, shift)}
 
 
 def _plain(value):

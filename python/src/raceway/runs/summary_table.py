@@ -124,15 +124,10 @@ TOPICS = {
 SHOWN = dict.fromkeys(("force_x_N", "force_y_N", "force_z_N"), 1e-2)
 STILL = dict.fromkeys(("shift_z_m", "tilt_x_rad", "tilt_y_rad"), 1e-9)  # m, rad
 STEADY = 1e-3  # fraction of the speed by which a steady speed may vary
-PERIODIC = (  # of a run with `settle orbit`
-    "orbit",
-    "orbit_passes",
-    "orbit_stability",
-    "orbit_multiplier",
-    "orbit_multiplier_error",
-    "orbit_multiplier_limit",
-    "orbit_multipliers",
-)
+PERIODIC = (
+    "orbit orbit_passes orbit_stability orbit_multiplier orbit_multiplier_error"
+    " orbit_multiplier_limit orbit_multipliers"
+).split()
 
 
 def table(figures: Mapping[str, Any]) -> str:

@@ -115,7 +115,9 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
             )
         gaps = contacts["load"].transpose("time", "raceway", "ball")
     else:
-        contacts, gaps = _aligned(run)
+        if not {"angle", "h_c"} <= set(contacts):
+            raise RunError(f"{run.tables.folder}: the contacts need the columns angle and h_c")
+        gaps = _gaps(run.tables, run.balls, run.settings["clearance_m"])
     filling = filling_of(run) if filling is None else filling
     bearing, clearance = run.tables.geometry, run.settings["clearance_m"]
     quiet = capacitors.quiet_load(bearing, _cage_speed(run), density)
@@ -197,10 +199,7 @@ def contacts_of(run: Run, whole: xr.Dataset) -> xr.Dataset:
 
 
 def fields(
-    run: Run,
-    whole: xr.Dataset,
-    voltage: float,
-    strength: float = film_voltage.STRENGTH,
+    run: Run, whole: xr.Dataset, voltage: float, strength: float = film_voltage.STRENGTH
 ) -> xr.Dataset:
     """Return the effect of a `voltage` (V) between the rings as a Dataset.
 
@@ -222,12 +221,10 @@ def fields(
         local = film_voltage.local_gap(gaps, rough)
         data[name] = dims, film_voltage.field(data["share"].to_numpy(), local)
     for name, rough in (("threshold", 0.0), ("threshold_peaks", sigma)):
-        limits = strength * film_voltage.local_gap(gaps, rough)
-        own = film_voltage.ring_voltages((limits[:, INNER], limits[:, OUTER]), *total.values())
-        ball = own.min(0)
-        data[name] = "time", ball.min(1)
+        found = film_voltage.threshold(gaps.swapaxes(0, 1), total.values(), strength, rough)
+        data[name] = "time", found.bearing
         if rough == 0.0:
-            data["weakest"] = "time", whole["ball"].to_numpy()[ball.argmin(1)]
+            data["weakest"] = "time", whole["ball"].to_numpy()[found.weakest]
     data["energy"] = film_voltage.stored_energy(whole["bearing"], data["threshold"])
     data["state"] = dims, _states(run, whole)
     for name, unit in (
@@ -251,16 +248,9 @@ def _states(run, whole):
     return film_voltage.states(share.transpose(*whole["total"].dims).to_numpy())
 
 
-def _aligned(run):
-    """Return the contacts, and the gaps (time, raceway, ball) between balls and rings in m, at the
-    same times."""
-    if "angle" not in run.contacts or "h_c" not in run.contacts:
-        raise RunError(f"{run.tables.folder}: the contacts need the columns angle and h_c")
-    return run.contacts, _gaps(run.tables, run.balls, run.settings["clearance_m"])
-
-
 def _gaps(tables: RunTables, balls, clearance):
-    """Return the negative overlap of every ball with both grooves, computed only from positions."""
+    """Return the gaps (time, raceway, ball) in m between every ball and both grooves, computed only
+    from positions."""
     bearing, place = tables.geometry, np.stack([balls[axis].to_numpy() for axis in "xyz"])
     out = []
     for side in (INNER, OUTER):
@@ -272,12 +262,11 @@ def _gaps(tables: RunTables, balls, clearance):
         radial = np.linalg.norm(d - along * e, axis=0)
         distance = np.hypot(radial - bearing.groove_circle(side, clearance), along)
         out.append(bearing.groove_gap(side) - distance)
-    gaps = xr.DataArray(
+    return xr.DataArray(
         np.stack(out, axis=1),
         dims=("time", "raceway", "ball"),
         coords={"time": balls["time"], "raceway": list(SIDES), "ball": balls["ball"]},
     )
-    return gaps
 
 
 def _cage_speed(run) -> float:

@@ -10,10 +10,9 @@ this moment, so the ball rotates about t and slides across both raceways at the 
     J Omega x = R_b sum of mu Q s/sqrt(s^2 + v^2),    v = s_e/3.80,
 
 as in the law that the simulation uses for slip across the groove (docs/tribology, Slip in a time
-step). This
-rotation in turn needs the moment J Omega s/R_b about u, which is supplied by spin:
+step). This rotation in turn needs the moment J Omega s/R_b about u, which is supplied by spin:
 
-    sum of M_k domega_k/dx + J Omega s/R_b = 0,    M_k = spin.closed_moment in the presence of s.
+    sum of M_k domega_k/dx + J Omega s/R_b = 0,    M_k = the moment of spin in the presence of s.
 
 If friction is too low to supply the moment, x is limited and s grows, i.e. the ball pivots and
 slides.

@@ -183,9 +183,6 @@ def frequencies(whole: Matrices | Reduced, springs: Floats, speed: float = 0.0) 
         return np.sqrt(np.maximum(scipy.linalg.eigh(stiffness, whole.mass, eigvals_only=True), 0.0))
     inverse = np.linalg.inv(whole.mass)
     system = np.block(
-        [
-            [np.zeros((n, n)), np.eye(n)],
-            [-inverse @ stiffness, -speed * inverse @ whole.gyroscopic],
-        ]
+        [[np.zeros((n, n)), np.eye(n)], [-inverse @ stiffness, -speed * inverse @ whole.gyroscopic]]
     )
     return np.sort(np.abs(np.linalg.eigvals(system).imag))[::2]

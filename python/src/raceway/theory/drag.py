@@ -14,11 +14,7 @@ def coefficient(reynolds: Numbers) -> Numbers:
 
 
 def force(
-    ball_radius: float,
-    speed: Numbers,
-    viscosity: Numbers,
-    density: Numbers,
-    share: float = 0.1,
+    ball_radius: float, speed: Numbers, viscosity: Numbers, density: Numbers, share: float = 0.1
 ) -> Numbers:
     """Return the drag in N on a ball that moves around the bearing at `speed` in m/s, which is C_D
     rho_eff A v^2/2.

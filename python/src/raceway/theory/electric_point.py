@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from raceway import catalogue, inputs
-from raceway.arrays import Floats, short
+from raceway.arrays import Floats, plain, short
 from raceway.files import FilePath
 from raceway.theory import capacitors, film_voltage, impedance, lubrication
 from raceway.theory.asperity import zhou_hoeprich
@@ -210,7 +210,7 @@ def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
             measured_h_c_m=scale * result["h_c_m"],
             measured_plates_m=result["h_c_m"] * plates.sum() / ask.measured,
         )
-    result = {key: _plain(value) for key, value in result.items()}
+    result = plain(result)
     result["warnings"] = of_statics(
         point.bearing,
         point.filling.shoulders,
@@ -263,7 +263,3 @@ def _balls(point, found, threshold, metallic):
         {key: values[ball].item() for key, values in columns.items()}
         for ball in range(len(point.state.azimuth))
     ]
-
-
-def _plain(value):
-    return value.item() if isinstance(value, np.generic) else value

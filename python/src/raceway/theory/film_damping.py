@@ -48,11 +48,3 @@ def dashpot(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Numbe
     motion. It grows without bound as u goes to zero."""
     one = branch(k, h_c, elastic, b, speed)
     return one.stiffness * one.time
-
-
-def loss_factor(k: Numbers, branch: Branch, frequency: Numbers) -> Numbers:
-    """Return the loss factor, i.e. the ratio of the imaginary part to the real part of k + k_m i w
-    tau/(1 + i w tau), with w = `frequency` in rad/s."""
-    z = 1j * frequency * branch.time
-    whole = k + branch.stiffness * z / (1 + z)
-    return whole.imag / whole.real

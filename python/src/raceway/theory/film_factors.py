@@ -60,15 +60,3 @@ def flooded_inlet(r_x: Numbers, b: Numbers, h_c: Numbers) -> Numbers:
     meniscus is farther than m* b away (Hamrock and Dowson; from memory, unchecked). Lengths are in
     m."""
     return 1 + 3.06 * ((r_x / b) ** 2 * h_c / r_x) ** 0.58
-
-
-def rough_capacitance(ratio: Numbers) -> Numbers:
-    """Return <1/h> h_c = L^2/(L^2 - 1) with L = h_c/sigma, the ratio of the capacitance of a rough
-    film whose thickness has a gamma distribution with standard deviation sigma to that of a smooth
-    film.
-
-    Raises `ValueError` if L is one or less, where the surfaces touch and the contact conducts.
-    """
-    if np.any(np.asarray(ratio) <= 1):
-        raise ValueError(f"h_c/sigma = {ratio} must be above 1: the contact conducts")
-    return 1 / (1 - 1 / np.square(ratio))

@@ -109,11 +109,7 @@ def solve(overlap: ArrayLike, stiffness: Numbers, law: Law, share: float = 1.0) 
 
 
 def energy(
-    squeeze: Squeeze,
-    exponent: Numbers,
-    share: float = 1.0,
-    cut: float = 0.0,
-    edge: Numbers = 0.0,
+    squeeze: Squeeze, exponent: Numbers, share: float = 1.0, cut: float = 0.0, edge: Numbers = 0.0
 ) -> Numbers:
     """Return the energy in J of a contact at constant speed, 0.4 Q delta_H + zeta m/(1 - m) (h_c Q
     - edge cut). Above the load `cut` in N, the film thickness is a power law with m = `exponent`;

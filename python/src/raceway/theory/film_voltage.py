@@ -13,14 +13,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raceway.arrays import Floats, Numbers
+from raceway.arrays import Floats, Integers, Numbers
 from raceway.theory.asperity import CONDUCTS
 
 STRENGTH = 15e6  # V/m, lower end of the range for smooth thin films (from memory, unchecked)
 PEAKS = 3.0  # local reduction of the film thickness, in standard deviations of the roughness
 # A/m^2, limits for the peak current divided by the Hertz area (from memory, unchecked)
 HARMLESS, HARMFUL = 0.1e6, 0.7e6
-HARDNESS = 7.5e9  # Pa, hardness of bearing steel, which is 7 to 8 GPa (from memory, unchecked)
 STATES = ("capacitive", "leaking", "metallic")
 
 
@@ -74,10 +73,11 @@ def ring_voltages(limits: tuple[Numbers, Numbers], inner: Numbers, outer: Number
 class Threshold(NamedTuple):
     """The smallest voltage between the rings at which a film fails."""
 
-    bearing: float  # V, threshold of the weakest ball
-    ball: Numbers  # (Z,), V, threshold of each ball
-    weakest: int  # index of the weakest ball
-    first: Numbers  # (Z,), film that fails first, 0 (inner) or 1 (outer); the other film fails next
+    bearing: Numbers  # (...), V, threshold of the weakest ball
+    ball: Floats  # (..., Z), V, threshold of each ball
+    weakest: Integers  # (...), index of the weakest ball
+    # (..., Z), film that fails first, 0 (inner) or 1 (outer); the other film fails next
+    first: Integers
 
 
 def threshold(
@@ -87,7 +87,7 @@ def threshold(
     roughness: float = 0.0,
 ) -> Threshold:
     """Compute the `Threshold` of a bearing from the gaps (m) and capacitances (F) of inner and
-    outer films, which are arrays (Z,). A film fails when the field in its local gap reaches
+    outer films, which are arrays (..., Z). A film fails when the field in its local gap reaches
     `strength` (V/m).
 
     The threshold of a ball is the smaller of E h_i (C_i + C_o)/C_o and E h_o (C_i + C_o)/C_i; the
@@ -95,7 +95,7 @@ def threshold(
     the strength is not positive.
 
     >>> found = threshold(([1e-7], [2e-7]), ([2e-10], [1e-10]), 15e6)
-    >>> round(found.bearing, 3), found.first.tolist()
+    >>> round(float(found.bearing), 3), found.first.tolist()
     (4.5, [0])
     """
     _positive("strength", strength)
@@ -103,7 +103,7 @@ def threshold(
     limits = strength * local_gap(np.asarray(separation, float), roughness)
     own = ring_voltages(limits, inner, outer)
     ball = own.min(0)
-    return Threshold(float(np.min(ball)), ball, int(np.argmin(ball)), own.argmin(0))
+    return Threshold(ball.min(-1), ball, ball.argmin(-1), own.argmin(0))
 
 
 def stored_energy(capacitance: Numbers, voltage: Numbers) -> Numbers:
@@ -130,22 +130,6 @@ def states(asperity_share: Numbers, loss: Numbers = 0.0) -> Numbers:
     return np.where(np.asarray(asperity_share) > CONDUCTS, 2, np.where(np.asarray(loss) > 1, 1, 0))[
         ()
     ]
-
-
-def real_area(asperity_share: Numbers, load: Numbers, hardness: float = HARDNESS) -> Numbers:
-    """Return A_r = L_a Q/H_m in m^2, the area of metallic contact if asperities carry the fraction
-    L_a of a load Q in N."""
-    return asperity_share * load / _positive("hardness", hardness)
-
-
-def constriction(area: Numbers, spots: int, resistivity: float) -> Numbers:
-    """Return the resistance rho/(2 n a) in ohm of a metallic contact `area` (m^2) that is divided
-    into `spots` round spots without oxide films (Holm; from memory, unchecked). `resistivity` is
-    the resistivity of the metal in ohm m."""
-    if spots < 1:
-        raise ValueError(f"spots = {spots} must be 1 or more")
-    radius = np.sqrt(_positive("area", area) / (np.pi * spots))
-    return resistivity / (2 * spots * radius)
 
 
 def _positive(name, value):

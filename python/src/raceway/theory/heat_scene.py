@@ -10,7 +10,7 @@ carries heat away.
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -63,42 +63,35 @@ class Rest(NamedTuple):
     motion: Motion | None  # of the balls under pure thrust
 
 
+@dataclass
 class Scene:
     """A bearing with its oil and load, for which friction is computed from temperature and
-    clearance."""
+    clearance. `spin_law`, `models` and `cage` are as in `operating_point.figures`, `held` is as in
+    `static.equilibrium`, and `size` and `supply` are as in `friction_torque.surfaces`."""
 
-    def __init__(
-        self,
-        bearing: Bearing,
-        boundary: makers.Boundary | None,
-        lubricant: Lubricant,
-        roughness: float,
-        load: float,
-        axial: float,
-        rpm: float,
-        density: float = 7800.0,
-        spin_law: str = "closed",
-        models: str = DEFAULT,
-        held: Mapping[str, float] = STRAIGHT,
-        size: makers.Size | None = None,
-        supply: Supply = BATH,
-        cage: cage_drag.CageRing | None = None,
-        oil_flow: CirculatingOil | None = None,
-    ) -> None:
-        """Store the arguments. `roughness` is the composite roughness in m, and `density` is the
-        density of the balls in kg/m^3; `spin_law`, `models` and `cage` are as in
-        `operating_point.figures`, `held` is as in `static.equilibrium`, and `size` and `supply` are
-        as in `friction_torque.surfaces`."""
-        self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
-        self.roughness, self.load, self.axial = roughness, load, axial
-        self.ring, self.density = rpm * math.pi / 30, density
-        self.spin_law, self.models, self.held = spin_law, models, held
-        self.size, self.supply, self.cage = size, supply, cage
-        self.oil_flow = oil_flow
-        self.share = 1.0  # factor on the computed friction, set by `by_runs`
-        # the last equilibrium and the last motion under thrust, where the next search begins
-        self.near: Equilibrium | None = None
-        self.near_motion: Motion | None = None
+    bearing: Bearing
+    lubricant: Lubricant
+    roughness: float  # m, composite roughness
+    load: float
+    axial: float
+    rpm: float
+    density: float = 7800.0  # kg/m^3, of the balls
+    spin_law: str = "closed"
+    models: str = DEFAULT
+    held: Mapping[str, float] = field(default_factory=STRAIGHT.copy)
+    size: makers.Size | None = None
+    supply: Supply = BATH
+    cage: cage_drag.CageRing | None = None
+    oil_flow: CirculatingOil | None = None
+    share: float = 1.0  # factor on the computed friction, set by `by_runs`
+    # the last equilibrium and the last motion under thrust, where the next search begins
+    near: Equilibrium | None = None
+    near_motion: Motion | None = None
+
+    @property
+    def ring(self) -> float:
+        """Speed of the inner ring in rad/s."""
+        return self.rpm * math.pi / 30
 
     def rest(self, temperature: float, clearance: float) -> Rest:
         """Compute the equilibrium and the films for oil at a temperature in degrees C and for a

@@ -14,7 +14,6 @@ from scipy.optimize import brentq
 from raceway import core
 from raceway.arrays import Floats, Numbers
 from raceway.core import laws
-from raceway.theory.capacitance import VACUUM
 from raceway.theory.capacitors import BearingCapacitors
 
 THINNEST, THICKEST = 1e-3, 1e3  # search range of `film_scale`, relative to the model's films
@@ -111,12 +110,6 @@ def _admittance(capacitances, paths, resistivity, frequency):
         imaginary=imaginary,
     )
     return (real + 1j * imaginary)[()]
-
-
-def plates_thickness(capacitance: Numbers, area: Numbers, permittivity: Numbers) -> Numbers:
-    """Return h = eps_0 eps A/C in m, with A = pi a b in m^2, assuming that C is the capacitance of
-    the plates alone. The result is too small if C includes other capacitance."""
-    return VACUUM * permittivity * area / capacitance
 
 
 def film_scale(capacitance: float, whole: Callable[[float], float]) -> float:

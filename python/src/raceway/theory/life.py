@@ -103,11 +103,7 @@ def ball_ratings(bearing: Bearing, dynamic: float, angle: float = 0.0) -> tuple[
 
 
 def reference(
-    bearing: Bearing,
-    dynamic: float,
-    inner: ArrayLike,
-    outer: ArrayLike,
-    angle: float = 0.0,
+    bearing: Bearing, dynamic: float, inner: ArrayLike, outer: ArrayLike, angle: float = 0.0
 ) -> float:
     """Return the reference life L_10r in 1e6 revolutions from the loads (N) of the `inner` and
     `outer` contacts (..., Z) at one or more positions of the balls, for a rotating inner ring

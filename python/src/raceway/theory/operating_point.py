@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from raceway import catalogue, inputs
+from raceway.arrays import plain
 from raceway.files import FilePath
 from raceway.theory import (
     ball_motion,
@@ -28,9 +29,7 @@ from raceway.theory import (
     thrust_motion,
     validity,
 )
-from raceway.theory import (
-    models as model_names,
-)
+from raceway.theory import models as model_names
 from raceway.theory.bearing import INNER, DoubleRow, Layout
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import lubricate, turning
@@ -234,7 +233,7 @@ def figures(
         ahead = excursion.excursion(body, rolling, spin, friction, cage and cage.play or None)
     if ahead is not None:
         result.update(ball_excursion_m=ahead.whole, pocket_force_N=ahead.force or None)
-    result = {key: _plain(value) for key, value in result.items()}
+    result = plain(result)
     point = dict(load=load, axial=axial, four_point=four_point)
     result["warnings"] = validity.of_statics(body, inputs.shoulders(path), state, films, **point)
     if "life_reference_Mrev" in result:
@@ -246,7 +245,7 @@ def figures(
     result["absent"] = model_names.absent(models, result) if wet else {}
     if wet and (assumed := inputs.assumed(_lubricant(lubricant, folder), models)):
         result["assumed_data"] = assumed
-    result["balls"] = _plain(balls(state, films))
+    result["balls"] = plain(balls(state, films))
     return result
 
 
@@ -434,14 +433,3 @@ def _rounded(values):
     """Set values below 1e-9 of the largest value to zero, because by symmetry they are rounding
     errors."""
     return np.where(np.abs(values) > 1e-9 * np.abs(values).max(), values, 0.0)
-
-
-def _plain(value):
-    """Convert `value` for JSON. NaN becomes None, e.g. the capacitance of contacts without a
-    film."""
-    if isinstance(value, dict):
-        return {key: _plain(one) for key, one in value.items()}
-    if isinstance(value, list):
-        return [_plain(one) for one in value]
-    value = value.item() if isinstance(value, np.generic) else value
-    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -31,12 +31,7 @@ TOPICS = {
         Row("ball_radial_rad_s", "rotation of a ball, radial", "rad/s", "the same balance"),
         Row("ball_along_rad_s", "rotation of a ball, along its path", "rad/s", "the same balance"),
         Row("ball_axial_rad_s", "rotation of a ball, axial", "rad/s", "the same balance"),
-        Row(
-            "ball_excursion_m",
-            "excursion of balls in the cage",
-            "m",
-            "free, from contact angles",
-        ),
+        Row("ball_excursion_m", "excursion of balls in the cage", "m", "free, from contact angles"),
         Row("pocket_force_N", "largest pocket force, about", "N", "traction of restrained balls"),
         Row("centrifugal_N", "centrifugal load of a ball", "N", "m r omega^2"),
     ),
@@ -105,10 +100,7 @@ TOPICS = {
         Row("loss_cage_W", "cage", "W", "oil in its pockets, churning"),
         Row("gyroscopic_friction", "friction coefficient needed", "", "against gyroscopic sliding"),
     ),
-    "Capacitance": (
-        row("capacitance_F"),
-        row("capacitance_top_F"),
-    ),
+    "Capacitance": (row("capacitance_F"), row("capacitance_top_F")),
 }
 CURVES = (  # columns of the table for several points: key, heading, scale
     ("load_N", "load N", 1),

@@ -25,10 +25,7 @@ from raceway.theory.static import Equilibrium, equilibrium
 
 PHASES = 8  # number of positions of the balls in a ball pass
 # laws of the contact dampers for each of the models
-LAWS = {
-    "paper": "steel and squeeze film, eqs 4 and 5",
-    "full": "steel, eq 4, and film branch",
-}
+LAWS = {"paper": "steel and squeeze film, eqs 4 and 5", "full": "steel, eq 4, and film branch"}
 LAWS["eyring"] = LAWS["full"]
 
 

@@ -12,12 +12,7 @@ from raceway.core import laws
 
 
 def hydrodynamic(
-    viscosity: Numbers,
-    modulus: float,
-    r_x: Numbers,
-    r_y: Numbers,
-    speed: Numbers,
-    load: Numbers,
+    viscosity: Numbers, modulus: float, r_x: Numbers, r_y: Numbers, speed: Numbers, load: Numbers
 ) -> Numbers:
     """Return the force f in N, for which the power dissipated in the contact is 2 f u. The formula
     is eq 32 of Biboulet and Houpert 2010, part 2. It is used in the form by Balan et al. 2015 with

@@ -52,10 +52,7 @@ def modes(shaft: Shaft, rest: Rest, speed: float) -> list[Mode]:
     n = len(stiffness)
     inverse = np.linalg.inv(whole.mass)
     system = np.block(
-        [
-            [np.zeros((n, n)), np.eye(n)],
-            [-inverse @ stiffness, -speed * inverse @ whole.gyroscopic],
-        ]
+        [[np.zeros((n, n)), np.eye(n)], [-inverse @ stiffness, -speed * inverse @ whole.gyroscopic]]
     )
     values, vectors = np.linalg.eig(system)
     order = [k for k in np.argsort(values.imag) if values[k].imag > 0]

@@ -27,17 +27,9 @@ def moment(load: Numbers, friction: Numbers, a: Numbers, second: Numbers) -> Num
     return laws.pure_spin_couple(friction * load, a, second)
 
 
-def closed_moment(pure: Numbers, speed: Numbers, edge: Numbers) -> Numbers:
-    """Return the moment in N m that resists spin in the presence of differential slip, from a fit.
-    The moment `pure` of pure spin (N m) is reduced if `speed` = omega a is small compared with
-    `edge` = s_e, both in m/s (`sliding.edge_slip`)."""
-    width = np.maximum(edge, sliding.LEAST)
-    return pure * laws.spin_shares(np.abs(speed), width, 0.0).spin
-
-
 def closed_slip(speed: Numbers, edge: Numbers) -> Numbers:
-    """Return the factor by which spin reduces the couple of differential slip. The arguments are as
-    in `closed_moment`."""
+    """Return the factor by which spin reduces the couple of differential slip, for `speed` = omega
+    a and `edge` = s_e in m/s (`sliding.edge_slip`)."""
     return laws.spin_shares(np.abs(speed), np.maximum(edge, sliding.LEAST), 0.0).slip
 
 

@@ -126,7 +126,6 @@ class Case:
         path, oil = self.files()
         return Scene(
             inputs.bearing(path, four_point=self.four_point, double_row=self.double_row),
-            inputs.boundary(path),
             inputs.lubricant(oil),
             inputs.oil(oil).roughness,
             self.load,
@@ -188,7 +187,7 @@ class Case:
         path, oil = self.files()
         level = 500 * scene.bearing.ball_diameter  # mm, at the middle of the lowest ball
         known = "reference_speed" in inputs.values(path)
-        boundary, play = scene.boundary, scene.bearing.play(inputs.nominal_angle(path))
+        boundary, play = inputs.boundary(path), scene.bearing.play(inputs.nominal_angle(path))
         rest = scene.rest(found["temperature_C"], found["clearance_warm_m"])
         return dict(
             bearing=path.name,

@@ -39,14 +39,7 @@ def measured(book: Book) -> pd.DataFrame:
         )
     return pd.DataFrame(
         rows,
-        columns=[
-            "total_curvature",
-            "clearance_m",
-            "angle_deg",
-            "angle_A3_deg",
-            "endplay_m",
-            "endplay_A4_m",
-        ],
+        columns="total_curvature clearance_m angle_deg angle_A3_deg endplay_m endplay_A4_m".split(),
     )
 
 

@@ -36,55 +36,34 @@ def curves(book: Book, printed: bool = False) -> dict[str, pd.DataFrame]:
 
 def by_speed(book: Book) -> tuple[Figure, pd.DataFrame]:
     """Fig 12a: lambda ratio against entrainment speed."""
-    figure, (axes,) = panel.page("Lambda ratio against speed", _note(book))
-    top = _top(book)
-    panel.regimes(axes, top, 0.985)
-    for (name, rows), colour, marker in zip(curves(book).items(), PALETTE, "os"):
-        speed = np.geomspace(0.005, 1.25, 120)
-        panel.marks(
-            axes,
-            rows["entrainment_m_s"],
-            rows["lambda"],
-            colour,
-            f"simulation, {OILS[name]}",
-            marker,
-        )
-        panel.theory(axes, speed, _ratio(book, name, speed), f"static theory, {OILS[name]}", colour)
-    axes.set(
-        xlabel="entrainment speed $U_r$ (m/s)",
-        ylabel="lambda ratio $Λ_f$",
-        xlim=(0, 1.25),
-        ylim=(0, top),
+    speed = np.geomspace(0.005, 1.25, 120)
+    figure, axes, _ = _page(
+        book,
+        "Lambda ratio against speed",
+        speed,
+        lambda rows: rows["entrainment_m_s"],
+        lambda _: speed,
     )
+    axes.set(xlabel="entrainment speed $U_r$ (m/s)", xlim=(0, 1.25))
     axes.legend(loc="upper left", handlelength=1.7)
     return figure, _table(book)
 
 
 def by_capacitance(book: Book) -> tuple[Figure, pd.DataFrame]:
     """Fig 12b: lambda ratio against the capacitance of the bearing."""
-    figure, (axes,) = panel.page("Lambda ratio against the bearing's capacitance", _note(book))
-    top = _top(book)
-    panel.regimes(axes, top, 0.985)
-    for (name, rows), colour, marker in zip(curves(book).items(), PALETTE, "os"):
-        speed = np.geomspace(0.018, 1.25, 30)
-        value = [
-            theory.bearing_capacitance(book.bearing, book.oils[name], 5000.0, one) for one in speed
-        ]
-        panel.marks(
-            axes,
-            rows["capacitance_F"] * 1e12,
-            rows["lambda"],
-            colour,
-            f"simulation, {OILS[name]}",
-            marker,
-        )
-        panel.theory(
-            axes,
-            np.array(value) * 1e12,
-            _ratio(book, name, speed),
-            f"static theory, {OILS[name]}",
-            colour,
-        )
+    speed = np.geomspace(0.018, 1.25, 30)
+
+    def static(oil):
+        values = [theory.bearing_capacitance(book.bearing, oil, 5000.0, one) for one in speed]
+        return np.array(values) * 1e12
+
+    figure, axes, top = _page(
+        book,
+        "Lambda ratio against the bearing's capacitance",
+        speed,
+        lambda rows: rows["capacitance_F"] * 1e12,
+        static,
+    )
     for (name, rows), marker in zip(curves(book, printed=True).items(), "os"):
         axes.plot(
             rows["capacitance_F"] * 1e12,
@@ -98,32 +77,30 @@ def by_capacitance(book: Book) -> tuple[Figure, pd.DataFrame]:
         )
     axes.axvline(PASSAGE * 1e12, color=INK, lw=1.2, ls=":")
     axes.text(PASSAGE * 1e12 + 12, 0.08 * top, "60 pF", fontsize=10)
-    axes.set(
-        xlabel="capacitance of the bearing (pF)",
-        ylabel="lambda ratio $Λ_f$",
-        xlim=(0, 1500),
-        ylim=(0, top),
-    )
+    axes.set(xlabel="capacitance of the bearing (pF)", xlim=(0, 1500))
     axes.legend(loc="upper right", bbox_to_anchor=(0.83, 1.0), handlelength=1.7)
     return figure, _table(book)
 
 
-def _note(book):
-    roughness = book.oils["mineral"].roughness
-    return (
-        f"6208, 5 kN, no clearance; inner raceway, ψ = 0; roughness {roughness * 1e6:g} µm is"
-        " assumed"
+def _page(book, title, speed, of_rows, of_oil):
+    """Return (figure, axes, upper limit) with the lambda ratios of the runs at `of_rows(rows)` and
+    those of theory at the given speeds, which are at `of_oil(oil)` on the x axis."""
+    roughness, found = book.oils["mineral"].roughness * 1e6, curves(book)
+    figure, (axes,) = panel.page(
+        title,
+        f"6208, 5 kN, no clearance; inner raceway, ψ = 0; roughness {roughness:g} µm is assumed",
     )
-
-
-def _top(book):
-    return 1.15 * max(rows["lambda"].max() for rows in curves(book).values())
-
-
-def _ratio(book, name, speed):
-    oil = book.oils[name]
+    top = 1.15 * max(rows["lambda"].max() for rows in found.values())
+    panel.regimes(axes, top, 0.985)
     q = theory.largest_load(book.bearing, 5000.0)
-    return film.ratio(theory.contact(book.bearing, oil, INNER, q, speed).h_min, oil.roughness)
+    for (name, rows), colour, marker in zip(found.items(), PALETTE, "os"):
+        oil, words = book.oils[name], OILS[name]
+        thick = theory.contact(book.bearing, oil, INNER, q, speed).h_min
+        panel.marks(axes, of_rows(rows), rows["lambda"], colour, f"simulation, {words}", marker)
+        ratio = film.ratio(thick, oil.roughness)
+        panel.theory(axes, of_oil(oil), ratio, f"static theory, {words}", colour)
+    axes.set(ylabel="lambda ratio $Λ_f$", ylim=(0, top))
+    return figure, axes, top
 
 
 def _table(book):

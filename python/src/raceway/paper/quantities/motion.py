@@ -5,12 +5,12 @@ import numpy as np
 
 from raceway.paper.book import Book
 from raceway.paper.quantities.formulas import CAGE_BALL
-from raceway.paper.quantity import Quantity
 from raceway.theory import kinematics
 
 
-def measure(book: Book, printed: bool) -> dict[str, Quantity]:
-    """Return {name: `Quantity`}; see `quantities`."""
+def measure(book: Book, printed: bool) -> dict[str, float | tuple[float, float]]:
+    """Return {name: value}; see `quantities`. The orders of lines of rolling balls are part of the
+    labels."""
     if printed:
         return {}
     run, b = book.readings.one("pressure"), book.bearing
@@ -18,21 +18,11 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
     cage = run.figures["cage_speed_rad_s"] / shaft
     spin = run.spin() / shaft + cage  # spin of a ball relative to the cage
     return {
-        "ftf": Quantity(cage / orders.cage - 1, "%", f"FTF relative to {orders.cage:.4f} orders"),
-        "bpfo": Quantity(
-            b.balls * cage / orders.outer - 1, "%", f"BPFO relative to {orders.outer:.4f}"
-        ),
-        "bpfi": Quantity(
-            b.balls * (1 - cage) / orders.inner - 1, "%", f"BPFI relative to {orders.inner:.4f}"
-        ),
-        "bsf": Quantity(spin / orders.spin - 1, "%", f"BSF relative to {orders.spin:.4f}"),
-        "cage_contact": Quantity(
-            run.cage_contact_share(b.ball_radius, CAGE_BALL),
-            "%",
-            "neighbouring balls and cage balls in contact",
-        ),
-        "coulomb": Quantity(run.coulomb_use(), "", "largest friction over μ $F_n$"),
-        "entrainment_run": Quantity(
-            run.figures["entrainment_speed_m_s"], "m/s", "$U_r$ of the run at 477.5 rpm"
-        ),
+        "ftf": (cage / orders.cage - 1, orders.cage),
+        "bpfo": (b.balls * cage / orders.outer - 1, orders.outer),
+        "bpfi": (b.balls * (1 - cage) / orders.inner - 1, orders.inner),
+        "bsf": (spin / orders.spin - 1, orders.spin),
+        "cage_contact": run.cage_contact_share(b.ball_radius, CAGE_BALL),
+        "coulomb": run.coulomb_use(),
+        "entrainment_run": run.figures["entrainment_speed_m_s"],
     }
