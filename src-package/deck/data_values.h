@@ -38,7 +38,7 @@ class DataValues {
   void zero(const std::string &name, const std::string &why) const
   {
     if (number(name) != 0.0)
-      fail(name + " is " + text(number(name)) + ", must be from 0 to 0 (" + why + ")");
+      fail(name + " is " + text(number(name)) + ", must be 0 (" + why + ")");
   }
   // Sets a value unless there is already a value with that name.
   void suggest(const std::string &name, double value) { map_.emplace(name, written(value)); }
