@@ -114,7 +114,8 @@ def add(one: argparse.ArgumentParser) -> None:
     options.point(
         balls,
         "rpm",
-        "speed of the inner ring in rpm, which causes the centrifugal load of the balls (default: 0)",
+        "speed of the inner ring in rpm, which causes the centrifugal load of the balls"
+        " (default: 0)",
     )
     balls.add_argument(
         "--density",
