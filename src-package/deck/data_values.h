@@ -31,8 +31,7 @@ class DataValues {
   // Stops with an error unless the number is 0. The message gives the reason `why`.
   void zero(const std::string &name, const std::string &why) const
   {
-    if (number(name) != 0.0)
-      fail(name + " is " + text(number(name)) + ", must be from 0 to 0 (" + why + ")");
+    if (number(name) != 0.0) fail(name + " is " + text(number(name)) + ", must be 0 (" + why + ")");
   }
   // Sets a value unless there is already a value with that name.
   void suggest(const std::string &name, double value) { map_.emplace(name, digits(value)); }

@@ -36,6 +36,9 @@ void RunBearing::read(Arguments &args)
     if (args.take("settle")) {
       to.orbit = args.take("orbit");
       to.automatic = to.orbit || args.take("auto");
+      if (!to.automatic && args.more() && !args.next_is_number())
+        args.fail("settle is '" + args.next() +
+                  "', must be a number of ball passes, auto or orbit");
       if (!to.automatic) to.settle = args.within("ball passes to settle", 0.0, 1e6);
       settles = true;
     } else if (!(args.variable("passes", to.passes) || args.variable("step", to.step) ||

@@ -292,6 +292,7 @@ def test_auto_in_other_hosts(host, tmp_path):
         ({"passes": 0}, "passes is 0, must be a whole number from 1 to"),
         ({"settle": "auto", "more": "settled 2"}, "settled is 2, must be from 1e-06 to 1"),
         ({"settle": -1}, "ball passes to settle is -1, must be from 0 to"),
+        ({"settle": "long"}, "settle is 'long', must be a number of ball passes, auto or orbit"),
         ({"more": "step 1.0"}, r"step \(s\) is 1, must be from 1e-09 to 0.001, or 0"),
         ({"more": "stepp 1"}, "'stepp'; did you mean 'step'"),
         ({"rpm": 0}, "no ring turns, so balls do not pass"),
