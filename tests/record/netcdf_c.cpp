@@ -25,18 +25,14 @@ void define(Sample &s, double temperature)
   using H = NetcdfHeader;
   const int time = s.header.dimension("time", 0), ball = s.header.dimension("ball", balls),
             side = s.header.dimension("raceway", 2), letters = s.header.dimension("letters", 5);
-  s.header.add(H::attribute("title", "a test"));
-  s.header.add(H::attribute("temperature", temperature));
-  s.header.variable({"raceway",
-                     {side, letters},
-                     H::text,
-                     {H::attribute("_Encoding", "utf-8")},
-                     "innerouter",
-                     {}});
+  s.header.add({"title", "a test"});
+  s.header.add({"temperature", temperature});
+  s.header.variable(
+      {"raceway", {side, letters}, H::text, {{"_Encoding", "utf-8"}}, "innerouter", {}});
   s.header.variable({"ball", {ball}, H::integer, {}, "", {4, 5, 70000}});
-  s.header.variable({"pitch", {}, H::real, {H::attribute("units", "m")}, "", {0.0303}});
+  s.header.variable({"pitch", {}, H::real, {{"units", "m"}}, "", {0.0303}});
   s.finished = s.header.variable({"finished", {}, H::integer, {}, "", {0}});
-  s.time = s.header.variable({"time", {time}, H::real, {H::attribute("units", "s")}, "", {}});
+  s.time = s.header.variable({"time", {time}, H::real, {{"units", "s"}}, "", {}});
   s.wide = s.header.variable({"x", {time, side, ball}, H::real, {}, "", {}, NAN});
   s.narrow = s.header.variable({"load", {time, ball}, H::single, {}, "", {}});
   s.header.layout();
