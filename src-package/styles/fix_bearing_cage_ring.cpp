@@ -74,19 +74,22 @@ void FixBearingCageRing::init()
   Arguments args(lmp, me, std::vector<std::string>());
   cage_.prepare(args, ball_radius_, pitch);
   all_.of = cage_.of;
-  if (warm_viscosity_ > 0.0) set_viscosity(bearing_, warm_viscosity_);
+  if (viscosity_ > 0.0) set_oil(bearing_, viscosity_, density_);
   turn_to_balls();
 }
 
-void FixBearingCageRing::set_viscosity(const std::string &bearing, double viscosity)
+void FixBearingCageRing::set_oil(const std::string &bearing, double viscosity, double density)
 {
   if (bearing_ != bearing || cage_.oil == 0.0) return;
-  warm_viscosity_ = viscosity;
+  viscosity_ = viscosity;
+  density_ = density;
   const double share = viscosity / cage_.oil;
   all_.of.shear = share * cage_.of.shear;
   all_.of.film.viscosity = share * cage_.of.film.viscosity;
   all_.of.land.viscosity = viscosity;
-  if (cage_.of.oil_share > 0.0) all_.of.oil_viscosity = viscosity;
+  if (cage_.of.oil_share == 0.0) return;
+  all_.of.oil_viscosity = viscosity;
+  all_.of.oil_density = density;
 }
 
 // Rotates the cages of a named bearing so that a pocket is initially at the first ball. The state

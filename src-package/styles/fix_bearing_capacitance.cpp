@@ -96,6 +96,8 @@ void FixBearingCapacitance::read_options(Arguments &args)
     args.fail("'within' takes samples evenly within every step: N must be 1, not " +
               std::to_string(nevery));
   if (idle_) return;
+  given_ = model_;
+  said_given_ = said_;
   take_usual_data();
   if (model_.permittivity == 0.0) args.fail("'permittivity EPS' is missing");
   if (model_.surroundings == Surroundings::cavitated &&
@@ -113,9 +115,12 @@ FixBearingCapacitance::~FixBearingCapacitance()
   memory->destroy(per_ball_);
 }
 
-// Takes settings from the pair style if it defines a named bearing and its oil.
+// Takes settings from the pair style if it defines a named bearing and its oil, which may change
+// from run to run.
 void FixBearingCapacitance::take_usual_data()
 {
+  model_ = given_;
+  said_ = said_given_;
   const std::vector<int> there = ball_types();
   const auto usual = [&](double &value, const char *what, const auto &of) {
     if (value != 0.0) return;
@@ -159,6 +164,9 @@ void FixBearingCapacitance::init()
   if (idle_) return;
   if (waits()) return refuse_plain_run(lmp, bearing::name_of(*this));
   pair_ = PairBearingHertz::find(lmp, "fix bearing/capacitance");
+  take_usual_data();
+  if (model_.permittivity == 0.0)
+    BRG_ALL(bearing::name_of(*this) + ": 'permittivity EPS' is missing");
   planned_ = -1;
   filled_ = -1;
   pair_->add_capacitor(groupbit, model_);

@@ -96,8 +96,8 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   void write(const Row *first, const Row *end, int instant);
 
   PairBearingHertz *pair_ = nullptr;
-  raceway::CapacitorModel model_;
-  std::string said_, totals_name_, contacts_name_;
+  raceway::CapacitorModel given_, model_;    // given_: 0 for data that are not in the command
+  std::string said_, said_given_, totals_name_, contacts_name_;
   bool idle_ = false;
   double background_ = 0.0;
   raceway::FilmQuestions ask_;

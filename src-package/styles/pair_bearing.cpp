@@ -155,6 +155,8 @@ void PairBearing::coeff(int narg, char **arg)
              !args.variable("temperature", own.temperature))
       own.law += " " + args.word("keyword");
   own.data = read_oil(args, own.oil, own.temperature);
+  if (own.data.count("permittivity"))
+    own.permittivity = std::atof(own.data.at("permittivity").c_str());
   if ((own.data.at("film") != "dry") != coefficients().lubricated())
     args.fail("oil " + own.oil + " of bearing " + b.name + " and oil " + oil_name_ +
               " of the pair style: all bearings of a run have films, or all are dry");
@@ -235,6 +237,7 @@ void PairBearing::init_style()
     c.speed = speed;
     resolve(c);
   }
+  pass_oil_to_cages();    // the oil may have changed since the cages were defined
   PairBearingHertz::init_style();
 }
 
@@ -247,9 +250,16 @@ void PairBearing::cool()
     c.warm = false;
     c.data = read_oil(Arguments(lmp, "pair_coeff * * " + c.bearing, {}), c.oil, c.temperature);
     resolve(c);
-    for (FixBearingCageRing *f : bearing::fixes_of<FixBearingCageRing>(lmp))
-      f->set_viscosity(c.bearing, std::atof(c.data.at("viscosity").c_str()));
   }
+}
+
+void PairBearing::pass_oil_to_cages() const
+{
+  for (FixBearingCageRing *f : bearing::fixes_of<FixBearingCageRing>(lmp))
+    for (const Coeff &c : coeffs_)
+      if (c.data.count("viscosity") && c.data.count("oil_density"))
+        f->set_oil(c.bearing, std::atof(c.data.at("viscosity").c_str()),
+                   std::atof(c.data.at("oil_density").c_str()));
 }
 
 // Returns the speed (rad/s) of all rings of this type in the next run. It is NAN if they turn at
@@ -335,8 +345,7 @@ double PairBearing::permittivity(int ball_type) const
 {
   const NamedBearing *b = bearing::bearing_of_type(lmp, ball_type);
   for (const Coeff &c : coeffs_)
-    if (b && c.bearing == b->name && c.data.count("permittivity"))
-      return std::atof(c.data.at("permittivity").c_str());
+    if (b && c.bearing == b->name) return c.permittivity;
   return 0.0;
 }
 

@@ -47,6 +47,8 @@ class PairBearing : public PairBearingHertz {
   // Sets the temperature (C) of a bearing's oil during a run. Afterwards, the raceways have the
   // dimensions of the cold parts.
   void set_oil_temperature(const bearing::Arguments &, const std::string &bearing, double);
+  // Gives the one-piece cages of named bearings the oil of their bearings.
+  void pass_oil_to_cages() const;
   const std::string &models() const { return choice_.models; }
   double temperature() const { return temperature_; }
   const std::vector<std::string> &given() const { return given_; }    // oil data as NAME=VALUE
@@ -65,8 +67,9 @@ class PairBearing : public PairBearingHertz {
     bool printed = false;      // `spheres printed`, applied to balls and cage balls
     double speed = 0.0;        // rad/s
     bool speed_given = false;
-    size_t first = 0;          // index of the first line of this pair_coeff in commands()
-    double oil_share = 0.0;    // fraction of the space around the balls that is filled with oil
+    size_t first = 0;             // index of the first line of this pair_coeff in commands()
+    double permittivity = 0.0;    // relative, at `temperature`; 0: unknown
+    double oil_share = 0.0;       // fraction of the space around the balls that is filled with oil
   };
   struct Kept {    // stored in restart files before the commands
     double cage_share;

@@ -129,3 +129,23 @@ def test_after_a_heated_run(tmp_path, cage):
     )
     warm, again = (frames(tmp_path / name / "last.dump") for name in ("warm", "again"))
     assert warm == again
+
+
+def test_another_oil(tmp_path):
+    """If pair_coeff gives a bearing another oil, its cage and its capacitors have that oil too."""
+    deck = DECK.format(speed=300, load=2000, heat="fix cap balls bearing/capacitance")
+    deck = deck.replace("clearance 1.0e-5", "clearance 1.0e-5 cage ring")
+    deck = deck.replace("rails cage bearing/cage b", "rails cage bearing/cage/ring b")
+    other = "pair_coeff * * b oil pao8 temperature 70\n"
+    once = deck.replace("pair_coeff * * b\n", other) + MEASURE.format(folder="")
+    again = deck + MEASURE.format(folder="/one") + other + MEASURE.format(folder="")
+    found = []
+    for name, text in (("once", once), ("again", again)):
+        succeed(deck_file(tmp_path, text.replace("${{out}}", "${out}")), out=tmp_path / name)
+        found.append(summary(RunTables(tmp_path / name)))
+    one, two = found
+    assert one["permittivity"] == two["permittivity"] != 2.25
+    for key in ("capacitance_F", "friction_torque_N_m", "h_min_m"):
+        assert one[key] == pytest.approx(two[key], rel=5e-3), key
+    # a cage that has not settled on its orbit shears the oil in its pockets a little differently
+    assert one["losses_W"]["cage"] == pytest.approx(two["losses_W"]["cage"], rel=0.05)
