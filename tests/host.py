@@ -4,6 +4,7 @@
 import os
 import re
 import subprocess
+import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -81,22 +82,14 @@ class Outcome:
         return "\n".join(line for line in self.text.splitlines() if "ERROR" in line)
 
 
-def run(
-    deck, *, host="liggghts", program=None, ranks=1, extra=(), timeout=300, cwd=ROOT, **variables
-):
-    """Run `deck` (a path relative to the root) in one of `HOSTS`, with a `-var` option for each
-    keyword and for each entry of `QUICK`, and return the `Outcome`.
-
-    The host "sanitized" is LIGGGHTS with AddressSanitizer and UndefinedBehaviorSanitizer. Leak
-    checks are off, because the host and MPI deliberately keep memory until they exit. `program`
-    replaces the executable of the host.
-    """
-    own, start = HOSTS[host]
+def command(deck, *, host="liggghts", program=None, ranks=1, extra=(), cwd=ROOT, **variables):
+    """Return the words of the command with which `run` runs a deck."""
+    own, launcher = HOSTS[host]
     program = program or own
     assert program.exists(), (
         f"{program.relative_to(ROOT)} is missing: run `make test`, which builds it"
     )
-    command = [program, "-in", deck, "-log", "none", *extra]
+    words = [program, "-in", deck, "-log", "none", *extra]
     if "dump_format" in (cwd / deck).read_text():
         variables["dump_format"] = FORMATS.get(host, "format")
     if (cwd / deck).resolve() in QUICK_DECKS:
@@ -104,13 +97,23 @@ def run(
     for name, value in variables.items():
         if value is None:
             continue
-        command += ["-var", name, *(value if isinstance(value, (list, tuple)) else [value])]
-    if ranks > 1:
-        command = [*start, ranks, *command]
+        words += ["-var", name, *(value if isinstance(value, (list, tuple)) else [value])]
+    return [str(word) for word in ([*launcher, ranks, *words] if ranks > 1 else words)]
+
+
+def run(deck, *, timeout=300, cwd=ROOT, **kwargs):
+    """Run `deck` (a path relative to the root) in one of `HOSTS`, with a `-var` option for each
+    keyword and for each entry of `QUICK`, and return the `Outcome`. The keywords `host`, `program`,
+    `ranks` and `extra` are no variables (see `command`).
+
+    The host "sanitized" is LIGGGHTS with AddressSanitizer and UndefinedBehaviorSanitizer. Leak
+    checks are off, because the host and MPI deliberately keep memory until they exit. `program`
+    replaces the executable of the host.
+    """
     # errors="replace" is necessary because one LIGGGHTS error in five ends with a "tip of the day"
     # that is read from freed memory
     done = subprocess.run(
-        [str(word) for word in command],
+        command(deck, cwd=cwd, **kwargs),
         cwd=cwd,
         env=ENVIRONMENT,
         text=True,
@@ -122,6 +125,42 @@ def run(
         check=False,
     )
     return Outcome(done.returncode, done.stdout)
+
+
+def start(deck, *, output=subprocess.DEVNULL, **kwargs):
+    """Start a run in a session of its own, and return the process. The keyword arguments are those
+    of `command`."""
+    return subprocess.Popen(
+        command(deck, **kwargs),
+        cwd=ROOT,
+        env=ENVIRONMENT,
+        text=True,
+        errors="replace",
+        stdin=subprocess.DEVNULL,
+        stdout=output,
+        stderr=subprocess.STDOUT,
+        start_new_session=True,
+    )
+
+
+def call(words, **more):
+    """Run a command in the root of the repository, and return the finished process."""
+    words = [str(word) for word in words]
+    given = {"cwd": ROOT, "text": True, "capture_output": True, "check": False, **more}
+    return subprocess.run(words, **given)
+
+
+def wait_for(condition, patience=120):
+    """Wait until `condition()` is true."""
+    end = time.monotonic() + patience
+    while not condition():
+        assert time.monotonic() < end, f"not within {patience} s"
+        time.sleep(0.005)
+
+
+def wait_for_file(path, size=1):
+    """Wait until the file contains at least `size` bytes."""
+    wait_for(lambda: path.exists() and path.stat().st_size >= size)
 
 
 def deck_file(folder, text, name="in.deck"):
@@ -137,6 +176,16 @@ def refused(outcome, message):
     assert re.search(message, outcome.error), outcome.error or outcome.text[-2000:]
 
 
+def refuses(deck, *says, **kwargs):
+    """Run a deck, check that it ends with an error that contains all the texts `says`, and return
+    the outcome. The keyword arguments are those of `run`."""
+    outcome = run(deck, **kwargs)
+    assert outcome.code > 0, outcome.text[-2000:]
+    for text in says:
+        assert text in outcome.error, outcome.error or outcome.text[-2000:]
+    return outcome
+
+
 def liggghts(deck, *, sanitized=False, **kwargs):
     """Run a deck in LIGGGHTS. The keyword arguments are those of `run`."""
     return run(deck, host="sanitized" if sanitized else "liggghts", **kwargs)
@@ -147,6 +196,13 @@ def succeed(deck, *, sanitized=False, **kwargs):
     outcome = run(deck, **({"host": "sanitized"} if sanitized else {}), **kwargs)
     assert outcome.code == 0, outcome.text[-3000:]
     return outcome
+
+
+def same_files(one, other, *names, read=Path.read_bytes):
+    """Check that files in two folders agree; `read=frames` ignores the order of the rows of
+    dumps."""
+    for name in names:
+        assert read(one / name) == read(other / name), name
 
 
 def frames(path):

@@ -9,7 +9,7 @@ import re
 
 import numpy as np
 import xarray
-from host import deck_file, run, succeed
+from host import deck_file, succeed
 
 DECK = "tests/scenarios/in.shaft"
 TILTING = "x free y free rx free ry free spin speed"
@@ -68,25 +68,12 @@ def rings_follow(folder):
 
 
 # variables for comparing ranks and hosts, in which all parts move
-BITS = dict(
-    cage=1,
-    speed=200,
-    second=0.2,
-    law="friction constant 0.05",
-    freedoms=f"{TILTING} 200 z free",
-    clearance=1e-5,
-    skin=4e-4,
-    control="tolerance 1e-8",
-)
+BITS = dict(cage=1, speed=200, second=0.2, law="friction constant 0.05",
+            freedoms=f"{TILTING} 200 z free", clearance=1e-5, skin=4e-4,
+            control="tolerance 1e-8")  # fmt: skip
 # variables for runs that output an energy balance
-ENERGY = dict(
-    control="tolerance 1e-10 largest 2e-6 energy yes",
-    clearance=1e-5,
-    speed=200,
-    law="friction constant 0.05",
-    steps=80,
-    every=80,
-)
+ENERGY = dict(control="tolerance 1e-10 largest 2e-6 energy yes", clearance=1e-5, speed=200,
+              law="friction constant 0.05", steps=80, every=80)  # fmt: skip
 WITHIN = dict(
     control="tolerance 1e-11 largest 5e-6", freedoms=f"{TILTING} 200", steps=40, within=10
 )
@@ -112,6 +99,10 @@ group inner type 3
 """
 
 
-def small(tmp_path, text, *, off="0", **variables):
-    deck = deck_file(tmp_path, SMALL.replace("OFF", off) + text)
-    return run(deck, **variables)
+def small_deck(tmp_path, text, off="0"):
+    """Return a deck of the box with `text` after it."""
+    return deck_file(tmp_path, SMALL.replace("OFF", off) + text)
+
+
+def small(tmp_path, text):
+    return succeed(small_deck(tmp_path, text))

@@ -12,8 +12,7 @@
 #if BEARING_IS_LIGGGHTS
 #include "atom_vec.h"
 #else
-#include "library.h"    // the wheel does not contain atom_vec.h, so atoms are created through the C
-                        // interface
+#include "library.h"    // the wheel has no atom_vec.h
 #endif
 
 namespace bearing {

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace bearing {
 
@@ -17,7 +18,8 @@ namespace bearing {
 struct Instants {
   int number = 0;
   raceway::CapacitorModel capacitor;
-  bool states = false;    // true if contact states are also requested
+  bool states = false;         // true if contact states are also requested
+  std::vector<tag_t> balls;    // balls of all ranks whose capacitances are requested
 };
 
 // A possible contact between a ball and a groove.

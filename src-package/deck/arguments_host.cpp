@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "../core/settings/arguments.h"
-#include "agree.h"
 #include "bearing_compat.h"
 
 namespace bearing {
@@ -15,7 +14,12 @@ bool is_first_rank(LAMMPS_NS::LAMMPS *lmp) { return lmp->comm->me == 0; }
 
 std::string of_first_rank(LAMMPS_NS::LAMMPS *lmp, const std::string &text)
 {
-  return agree(text, lmp->world);
+  std::string all = text;
+  int n = static_cast<int>(all.size());
+  MPI_Bcast(&n, 1, MPI_INT, 0, lmp->world);
+  all.resize(n);
+  MPI_Bcast(&all[0], n, MPI_CHAR, 0, lmp->world);
+  return all;
 }
 
 std::optional<std::string> host_variable(LAMMPS_NS::LAMMPS *lmp, const std::string &name)

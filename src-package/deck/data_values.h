@@ -4,6 +4,7 @@
 #pragma once
 
 #include "../core/settings/arguments.h"
+#include "../core/settings/written.h"
 
 #include <map>
 
@@ -20,13 +21,6 @@ class DataValues {
   {
   }
 
-  static std::string written(double value)
-  {
-    char buf[32];
-    snprintf(buf, sizeof buf, "%.15g", value);
-    return buf;
-  }
-
   std::string word(const std::string &name) const
   {
     const auto at = map_.find(name);
@@ -37,12 +31,11 @@ class DataValues {
   // Stops with an error unless the number is 0. The message gives the reason `why`.
   void zero(const std::string &name, const std::string &why) const
   {
-    if (number(name) != 0.0)
-      fail(name + " is " + text(number(name)) + ", must be from 0 to 0 (" + why + ")");
+    if (number(name) != 0.0) fail(name + " is " + text(number(name)) + ", must be 0 (" + why + ")");
   }
   // Sets a value unless there is already a value with that name.
-  void suggest(const std::string &name, double value) { map_.emplace(name, written(value)); }
-  void set(const std::string &name, double value) { map_[name] = written(value); }
+  void suggest(const std::string &name, double value) { map_.emplace(name, digits(value)); }
+  void set(const std::string &name, double value) { map_[name] = digits(value); }
   void set(const std::string &name, const std::string &words) { map_[name] = words; }
   [[noreturn]] void fail(const std::string &why) const { args_.fail(why); }
 

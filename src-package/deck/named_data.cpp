@@ -3,7 +3,6 @@
 
 #include "../core/settings/data_table.h"
 #include "../core/settings/deck_variable_table.h"
-#include "agree.h"
 #include "bearing_compat.h"
 #include "find_data.h"
 #include "given_variables.h"
@@ -33,11 +32,11 @@ NamedData read_data(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, const std::st
 {
   Data text;
   if (is_first_rank(lmp)) text = find_data(inputs + "/" + sort, name);
-  const std::string complaint = agree(text.complaint, lmp->world);
+  const std::string complaint = of_first_rank(lmp, text.complaint);
   if (!complaint.empty()) args.fail(complaint);
   NamedData data;
-  data.label = agree(text.label, lmp->world);
-  const std::string lines = agree(text.lines, lmp->world);
+  data.label = of_first_rank(lmp, text.label);
+  const std::string lines = of_first_rank(lmp, text.lines);
   std::istringstream in(lines);
   for (std::string line; std::getline(in, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
@@ -60,7 +59,7 @@ NamedData read_data(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, const std::st
     for (const std::string &one : given_names(all, data.of_file)) given += one + " ";
     for (const std::string &one : given_names(deck, data.of_file)) of_deck += one + " ";
   }
-  std::istringstream names(agree(given, lmp->world)), own(agree(of_deck, lmp->world));
+  std::istringstream names(of_first_rank(lmp, given)), own(of_first_rank(lmp, of_deck));
   for (std::string one; names >> one;)
     if (const auto value = host_variable(lmp, one)) data.values[one] = *value;
   for (std::string one; own >> one;) data.of_deck.push_back(one);
@@ -88,8 +87,7 @@ std::string note_of_deck(const NamedData &data)
     const auto of_file = data.of_file.find(name);
     if (of_file == data.of_file.end() || of_file->second == data.values.at(name)) continue;
     const DeckVariable *const of = find_deck_variable(name);
-    if (of && !of->of_data()) continue;    // variables such as the temperature belong to the pair
-                                           // style
+    if (of && !of->of_data()) continue;    // those of the pair style, e.g. the temperature
     list += (list.empty() ? "" : ", ") + name + " " + data.values.at(name) + " instead of " +
             of_file->second;
   }

@@ -5,6 +5,7 @@
 #include "../ranks/gather.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
+#include "named_bearing.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -76,6 +77,15 @@ Place place(const PairCoefficients &coefficients, const Body &ball, const Body &
   }
 }
 
+// Returns the cosine of the nominal contact angle of a named bearing, which balls of this type
+// belong to. It is NAN for other balls.
+double nominal_cosine(LAMMPS *lmp, int ball_type)
+{
+  const NamedBearing *b = bearing_of_type(lmp, ball_type);
+  if (!b || !b->in_use) return NAN;
+  return std::cos((b->number("contact_angle") + b->number("four_point")) * M_PI / 180.0);
+}
+
 // A row of balls between an inner and an outer ring.
 struct Row {
   const Body *ring[2] = {};
@@ -98,7 +108,8 @@ struct Row {
 };
 
 // Assigns each ball to the nearest inner ring and the nearest outer ring.
-std::vector<Row> rows_of(const PairCoefficients &coefficients, const std::vector<Body> &bodies)
+std::vector<Row> rows_of(LAMMPS *lmp, const PairCoefficients &coefficients,
+                         const std::vector<Body> &bodies)
 {
   std::map<std::pair<double, double>, Row> rows;
   for (const Body &ball : bodies) {
@@ -117,7 +128,8 @@ std::vector<Row> rows_of(const PairCoefficients &coefficients, const std::vector
     }
     if (!row.ring[0] || !row.ring[1]) continue;
     row.ball_radius = ball.radius;
-    row.cosine = best[0].cosine;
+    const double nominal = nominal_cosine(lmp, static_cast<int>(ball.type));
+    row.cosine = std::isnan(nominal) ? best[0].cosine : nominal;
     Row &in = rows.emplace(std::make_pair(row.ring[0]->tag, row.ring[1]->tag), row).first->second;
     in.balls += 1.0;
   }
@@ -131,14 +143,14 @@ std::vector<Row> rows_of(const PairCoefficients &coefficients, const std::vector
 size_t ball_rows(LAMMPS *lmp, const std::string &command)
 {
   const PairCoefficients &coefficients = PairBearingHertz::find(lmp, command)->coefficients();
-  return rows_of(coefficients, bodies_of(lmp, coefficients)).size();
+  return rows_of(lmp, coefficients, bodies_of(lmp, coefficients)).size();
 }
 
 double ball_pass_time(LAMMPS *lmp, const std::string &command, double angle)
 {
   const PairCoefficients &coefficients = PairBearingHertz::find(lmp, command)->coefficients();
   const std::vector<Body> bodies = bodies_of(lmp, coefficients);
-  const std::vector<Row> rows = rows_of(coefficients, bodies);
+  const std::vector<Row> rows = rows_of(lmp, coefficients, bodies);
   if (rows.empty()) BRG_ALL_OF(lmp, command + ": there is no bearing with balls between two rings");
   double longest = 0.0;
   for (const Row &row : rows) {

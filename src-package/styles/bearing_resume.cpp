@@ -11,13 +11,12 @@ using bearing::Arguments;
 void BearingResume::command(int narg, char **arg)
 {
   Arguments args(lmp, "bearing_resume", narg, arg, 0);
-  const auto yes = [&args](const char *what) { return args.choice(what, {"no", "yes"}) == 1; };
   const std::string file = args.word("restart file");
   if (args.more() && args.next() != "resume")
     args.fail("a folder's name is one word without blanks, not '" + file + " " + args.next() + "'");
-  const bool asked = args.take("resume") && yes("resume");
-  const bool overwrite = args.take("overwrite") && yes("overwrite");
-  if (args.more()) args.unknown();
+  bool asked = false, overwrite = false;
+  while (args.more())
+    if (!args.yes("resume", asked) && !args.yes("overwrite", overwrite)) args.unknown();
   const std::string folder = std::filesystem::path(file).parent_path().string();
   bearing::claim_result_folder(lmp, args, folder.empty() ? "." : folder);
   const bool on = bearing::goes_on(lmp, args, {file, asked, overwrite});

@@ -10,7 +10,6 @@
 #include "print_line.h"
 
 #include <algorithm>
-#include <sstream>
 
 using namespace LAMMPS_NS;
 using namespace raceway;
@@ -18,15 +17,15 @@ using bearing::Arguments;
 using bearing::text;
 
 // create_bearing BALL CAGE|none INNER OUTER balls Z diameter D [density RHO] [cage D_c]
-//   [cage_density RHO] [centre x y z] [phase PHI] [speed W_i W_o] [seat none|plus|minus]
-//   [thrust F] [cage_ring TYPE] [groups yes|no] [resumed yes|no]
-// or, for a named bearing: create_bearing NAME [speed W_i W_o] [thrust F] [centre x y z]
-//   [phase PHI] [groups yes|no]
+//   [cage_density RHO] [seat none|plus|minus] [cage_ring TYPE] [resumed yes|no]
+//   [centre x y z] [phase PHI] [speed W_i W_o] [thrust F] [groups yes|no]
+// or, for a named bearing: create_bearing NAME with the keywords of the last line
 void CreateBearing::command(int narg, char **arg)
 {
   Arguments args(lmp, "create_bearing", narg, arg, 0);
   if (args.more() && !args.next_is_number()) return command_named(args);
-  create(args);
+  check_host(args);
+  create(args, parse(args));
 }
 
 // Creates a named bearing from its data. After a restart, its atoms already exist.
@@ -38,46 +37,32 @@ void CreateBearing::command_named(Arguments &args)
     args.fail("bearing " + b.name +
               " needs pair_style bearing before it, not below hybrid; particles beside bearings "
               "need 'pair_coeff I J grain' and fix bearing/grains");
-  double speed[2] = {0.0, 0.0}, thrust = 0.0;
-  bool groups = true;
-  std::string more, phase = "0";
-  while (args.more()) {
-    if (args.take("speed"))
-      for (double &w : speed) {
-        more += (&w == speed ? " speed " : " ") + args.next();
-        w = args.number("speed of a ring (rad/s)");
-      }
-    else if (args.take("thrust")) thrust = args.number("thrust (N)");
-    else if (args.take("groups")) groups = args.choice("groups", {"no", "yes"}) == 1;
-    else if (args.take("phase")) more += " phase " + (phase = args.value_of("phase"));
-    else if (args.take("centre"))
-      for (int k = 0; k < 3; ++k) more += (k ? " " : " centre ") + args.word("centre (m)");
-    else args.unknown();
-  }
-  pair->set_speed(b.name, speed[0] - speed[1]);
-  more += " thrust " + bearing::digits(thrust);
+  Plan p;
+  p.groups = true;
+  while (args.more())
+    if (!take_motion(args, p)) args.unknown();
+  p.thrust = bearing::written(p.thrust);
+  pair->set_speed(b.name, p.inner_speed - p.outer_speed);
   const bool angle = b.number("contact_angle") > 0.0, four = b.number("four_point") > 0.0;
-  const std::string seat = (angle || four) && thrust < 0.0   ? "minus"
-                           : angle || (four && thrust > 0.0) ? "plus"
-                                                             : "none";
-  const bool resumed = bearing::host_variable(lmp, "b_resumed").value_or("0") == "1" ||
-                       (modify->nfix_restart_peratom > 0 && balls_of(b.balls));
-  const std::string line = std::to_string(b.balls) + " " +
-                           (b.has_cage ? std::to_string(b.cage) : "none") + " " +
-                           std::to_string(b.inner) + " " + std::to_string(b.outer) + " balls " +
-                           b.word("balls") + " diameter " + b.word("ball_diameter") + " density " +
-                           b.word("ball_density") + more + " seat " + seat + " groups " +
-                           (groups ? "yes" : "no") + " resumed " + (resumed ? "yes" : "no") +
-                           (b.has_cage        ? " cage " + b.word("cage_ball_diameter")
-                            : b.has_cage_ring ? " cage_ring " + std::to_string(b.cage)
-                                              : "");
-  std::istringstream in(line);
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
-  Arguments own(lmp, "create_bearing " + b.name, words);
-  create(own);
-  if (b.has_cage_ring && !resumed) b.phases[next_tag_ - 1] = std::atof(phase.c_str());
-  if (!b.has_cage && groups) input->one(("group cage type " + std::to_string(b.cage)).c_str());
+  p.seat = (angle || four) && p.thrust < 0.0 ? -1 : angle || (four && p.thrust > 0.0);
+  p.ball_type = b.balls;
+  p.inner_type = b.inner;
+  p.outer_type = b.outer;
+  p.balls = static_cast<int>(b.number("balls"));
+  p.ball_radius = 0.5 * b.number("ball_diameter");
+  p.ball_density = b.number("ball_density");
+  if (b.has_cage) {
+    p.cage_type = b.cage;
+    p.cage_radius = 0.5 * b.number("cage_ball_diameter");
+  }
+  if (b.has_cage_ring) p.ring_cage = b.cage;
+  p.resumed = bearing::host_variable(lmp, "b_resumed").value_or("0") == "1" ||
+              (modify->nfix_restart_peratom > 0 && balls_of(b.balls));
+  Arguments own(lmp, "create_bearing " + b.name, {});
+  check_host(own);
+  create(own, p);
+  if (b.has_cage_ring && !p.resumed) b.phases[next_tag_ - 1] = p.phase;
+  if (!b.has_cage && p.groups) input->one(("group cage type " + std::to_string(b.cage)).c_str());
 }
 
 // True if there are atoms of a type on any rank. Collective.
@@ -89,14 +74,17 @@ bool CreateBearing::balls_of(int type) const
   return any != 0;
 }
 
-void CreateBearing::create(Arguments &args)
+void CreateBearing::check_host(const Arguments &args)
 {
   if (!domain->box_exist)
     args.fail("the simulation box does not exist yet: create_box must come first");
-  PairBearingHertz &pair = *PairBearingHertz::find(lmp, "create_bearing");
   if (!atom->radius_flag || !atom->rmass_flag)
     args.fail("needs atom_style sphere (granular in LIGGGHTS)");
-  Plan plan = parse(args);
+}
+
+void CreateBearing::create(const Arguments &args, Plan plan)
+{
+  PairBearingHertz &pair = *PairBearingHertz::find(lmp, "create_bearing");
   if (!plan.resumed) {
     if (modify->nfix_restart_peratom)
       args.fail(
@@ -132,34 +120,24 @@ CreateBearing::Plan CreateBearing::parse(Arguments &args)
   p.cage_type = args.take("none") ? 0 : args.integer("cage ball type or 'none'", 1, atom->ntypes);
   p.inner_type = args.integer("inner ring type", 1, atom->ntypes);
   p.outer_type = args.integer("outer ring type", 1, atom->ntypes);
-  while (args.more()) {
-    if (args.take("balls")) p.balls = args.integer("number of balls", 1, 100000);
-    else if (args.take("diameter")) p.ball_radius = 0.5 * args.positive("ball diameter (m)");
-    else if (args.take("density")) p.ball_density = args.positive("ball density (kg/m^3)");
-    else if (args.take("cage")) p.cage_radius = 0.5 * args.positive("cage ball diameter (m)");
-    else if (args.take("cage_density"))
-      p.cage_density = args.positive("cage ball density (kg/m^3)");
-    else if (args.take("centre"))
-      for (double &c : p.centre) c = args.number("centre (m)");
-    else if (args.take("phase")) p.phase = args.number("azimuth of the first ball (rad)");
-    else if (args.take("speed")) {
-      p.inner_speed = args.number("speed of the inner ring (rad/s)");
-      p.outer_speed = args.number("speed of the outer ring (rad/s)");
-    } else if (args.take("seat")) {
+  double ball = 0.0, cage = 0.0;    // m, diameters
+  while (args.more())
+    if (args.take("seat")) {
       static const int way[] = {0, 1, -1};
       p.seat = way[args.choice("seat", {"none", "plus", "minus"})];
-    } else if (args.take("thrust")) {
-      p.thrust = args.number("thrust on the inner ring (N)");
-    } else if (args.take("cage_ring")) {
-      p.ring_cage = args.integer("type of the cage ring", 1, atom->ntypes);
-    } else if (args.take("groups")) {
-      p.groups = args.choice("groups", {"no", "yes"}) == 1;
     } else if (args.take("resumed")) {
       p.resumed = args.choice("resumed", {"no", "yes", "0", "1"}) % 2 == 1;
-    } else {
+    } else if (!(args.integer("balls", p.balls, "number of balls", 1, 100000) ||
+                 args.positive("diameter", ball, "ball diameter (m)") ||
+                 args.positive("density", p.ball_density, "ball density (kg/m^3)") ||
+                 args.positive("cage", cage, "cage ball diameter (m)") ||
+                 args.positive("cage_density", p.cage_density, "cage ball density (kg/m^3)") ||
+                 args.integer("cage_ring", p.ring_cage, "type of the cage ring", 1, atom->ntypes) ||
+                 take_motion(args, p))) {
       args.unknown();
     }
-  }
+  p.ball_radius = 0.5 * ball;
+  p.cage_radius = 0.5 * cage;
   if (p.ring_cage && p.cage_type)
     args.fail("'cage_ring' is already a cage: give 'none' instead of a cage ball type");
   if (p.balls == 0) args.fail("'balls Z' is missing");
@@ -169,7 +147,21 @@ CreateBearing::Plan CreateBearing::parse(Arguments &args)
   return p;
 }
 
-void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p)
+// Reads a keyword that a named bearing also takes. Returns false if the next word is none of these.
+bool CreateBearing::take_motion(Arguments &args, Plan &p)
+{
+  if (args.number("speed", p.inner_speed, "speed of the inner ring (rad/s)")) {
+    p.outer_speed = args.number("speed of the outer ring (rad/s)");
+  } else if (args.take("centre")) {
+    for (double &c : p.centre) c = args.number("centre (m)");
+  } else {
+    return args.number("thrust", p.thrust, "thrust on the inner ring (N)") ||
+           args.variable("phase", p.phase) || args.yes("groups", p.groups);
+  }
+  return true;
+}
+
+void CreateBearing::check(const Arguments &args, const PairBearingHertz &pair, Plan &p)
 {
   const RacewayPhysics *in = pair.coefficients().raceway(p.ball_type, p.inner_type),
                        *out = pair.coefficients().raceway(p.ball_type, p.outer_type);
@@ -183,17 +175,10 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
     args.fail("missing cage: no pair_coeff " + std::to_string(p.ball_type) + " " +
               std::to_string(p.ring_cage) + " cage before this command");
   const double R = p.ball_radius;
-  for (const RacewayPhysics *r : {in, out})
-    if (r->groove.groove_radius <= R)
-      args.fail("groove radius " + text(r->groove.groove_radius) +
-                " m must be larger than the ball radius " + text(R) +
-                " m (a conformal groove is not a Hertz point contact)");
-    else if (std::fabs(r->groove.offset) >= r->groove.groove_radius - R)
-      args.fail("gothic_arch " + text(std::fabs(r->groove.offset)) +
-                " m must be smaller than the groove radius minus the ball radius, " +
-                text(r->groove.groove_radius - R) + " m");
   Groove inner = in->groove, outer = out->groove;
   inner.ball_radius = outer.ball_radius = R;
+  for (const Groove &groove : {inner, outer})
+    if (const std::string wrong = bearing::wrong_groove(groove); !wrong.empty()) args.fail(wrong);
   const double Ri = inner.middle_radius(), Re = outer.middle_radius();
   p.cosine = 0.5 * (inner.middle_cosine() + outer.middle_cosine());
   if (Ri >= Re)
@@ -212,16 +197,14 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
               " m is so large that the grooves do not hold the balls: do the rings match?");
   if (p.seat) seat(args, inner, outer, clearance, p);
   if (p.balls > 1) {
-    const double apart = 2.0 * p.pitch * std::sin(3.14159265358979323846 / p.balls);
+    const double apart = 2.0 * p.pitch * std::sin(M_PI / p.balls);
     if (apart < 2.0 * R)
       args.fail("overlapping balls: " + std::to_string(p.balls) + " balls of diameter " +
                 text(2.0 * R) + " m on a pitch circle of radius " + text(p.pitch) + " m are " +
                 text(apart) + " m apart");
   }
   if (p.cage_type) {
-    const double half = p.balls > 1
-                            ? 2.0 * p.pitch * std::sin(0.5 * 3.14159265358979323846 / p.balls)
-                            : 2.0 * p.pitch;
+    const double half = 2.0 * p.pitch * (p.balls > 1 ? std::sin(0.5 * M_PI / p.balls) : 1.0);
     if (half < R + p.cage_radius)
       args.fail(
           "cage ball of diameter " + text(2.0 * p.cage_radius) +
@@ -242,7 +225,7 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
 // contact with the balls. If a ring has two grooves, the load-carrying one is the groove whose
 // centre lies forward on the inner ring and backward on the outer ring. If there is preload, all
 // grooves are already in contact, and the ring does not move.
-void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &outer,
+void CreateBearing::seat(const Arguments &args, const Groove &inner, const Groove &outer,
                          double clearance, Plan &p)
 {
   const double in_gap = inner.slack(), out_gap = outer.slack(), gaps = in_gap + out_gap;
@@ -254,8 +237,7 @@ void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &out
   const double sine = std::sqrt(1.0 - cosine * cosine);
   const double way = gaps * sine - (in_offset + out_offset);
   if (way < 0.0) return;
-  const double room = 1.0 + 1e-9;    // if there is no clearance, the angles are equal up to
-                                     // rounding errors
+  const double room = 1.0 + 1e-9;    // without clearance, the angles are equal but for rounding
   if (in_gap * sine * room < in_offset || out_gap * sine * room < out_offset)
     args.fail("'seat': a ball would lie in both grooves of one ring and one of the other; their "
               "contact angles are " +
@@ -268,10 +250,7 @@ void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &out
   p.inner_z = p.seat * way;
 }
 
-static double mass(double R, double rho)
-{
-  return 4.0 / 3.0 * 3.14159265358979323846 * R * R * R * rho;
-}
+static double mass(double R, double rho) { return 4.0 / 3.0 * M_PI * R * R * R * rho; }
 
 // Returns the rotation of a ball. If the law includes friction that opposes spin, this is the
 // rotation that dissipates the least power. Otherwise the ball rotates about an axis parallel to
@@ -302,13 +281,12 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
   MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, world);
   next_tag_ = static_cast<bearing::tag_t>(most) + 1;
 
-  const double pi = 3.14159265358979323846;
   const Vec3 e = pair.axis(), centre = Vec3::from(p.centre);
   const Vec3 a = {e.z, e.x, e.y}, b = {e.y, e.z, e.x};    // azimuths 0 and 90 degrees
   const BallRotation roll = rotation(p, pair);
   for (int cage = 0; cage < (p.cage_type ? 2 : 1); ++cage)
     for (int k = 0; k < p.balls; ++k) {
-      const double phi = p.phase + 2.0 * pi * (k + 0.5 * cage) / p.balls;
+      const double phi = p.phase + 2.0 * M_PI * (k + 0.5 * cage) / p.balls;
       const Vec3 u = a * std::cos(phi) + b * std::sin(phi);
       // cage balls start between the rails, midway between the raceways
       const Vec3 at = centre + (cage ? u * p.middle : u * p.pitch + e * p.ball_z);

@@ -26,20 +26,18 @@ class CreateBearing : public bearing::CommandBase {
 
  private:
   struct Plan {
-    int ball_type, cage_type, inner_type, outer_type;
-    int ring_cage = 0;    // type of a one-piece cage; 0 if there is none
+    int ball_type = 0, inner_type = 0, outer_type = 0;
+    int cage_type = 0, ring_cage = 0;    // types of cage balls and of a one-piece cage; 0: none
     int balls = 0;
     double ball_radius = 0.0, ball_density = 7800.0;
     double cage_radius = 0.0, cage_density = 1140.0;
     double centre[3] = {0.0, 0.0, 0.0};
     double phase = 0.0;                             // rad, azimuth of the first ball
     double inner_speed = 0.0, outer_speed = 0.0;    // rad/s
-    int seat =
-        0;    // +1 or -1: the inner ring starts moved forward or backward into contact with all
-              // balls
-    double thrust = 0.0;                   // N, on the inner ring
-    double middle = 0.0;                   // m, radius midway between the raceways
-    double pitch = 0.0;                    // m, radius of the circle through the balls' centres
+    int seat = 0;           // +1, -1: the inner ring starts at the balls, moved forward or backward
+    double thrust = 0.0;    // N, on the inner ring
+    double middle = 0.0;    // m, radius midway between the raceways
+    double pitch = 0.0;     // m, radius of the circle through the balls' centres
     double ball_z = 0.0, inner_z = 0.0;    // m, positions along the axis
     double cosine = 1.0;                   // cosine of the contact angle
     bool groups = false;                   // true if the groups are to be created
@@ -48,11 +46,13 @@ class CreateBearing : public bearing::CommandBase {
 
   void command_named(bearing::Arguments &);
   bool balls_of(int type) const;
-  void create(bearing::Arguments &);
+  void check_host(const bearing::Arguments &);
+  void create(const bearing::Arguments &, Plan);
   Plan parse(bearing::Arguments &);
-  void check(bearing::Arguments &, const PairBearingHertz &, Plan &);
-  static void seat(bearing::Arguments &, const raceway::Groove &inner, const raceway::Groove &outer,
-                   double clearance, Plan &);
+  static bool take_motion(bearing::Arguments &, Plan &);
+  void check(const bearing::Arguments &, const PairBearingHertz &, Plan &);
+  static void seat(const bearing::Arguments &, const raceway::Groove &inner,
+                   const raceway::Groove &outer, double clearance, Plan &);
   static raceway::BallRotation rotation(const Plan &, const PairBearingHertz &);
   void place(const Plan &, const PairBearingHertz &);
   void make_groups(const Plan &);

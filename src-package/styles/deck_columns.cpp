@@ -60,11 +60,9 @@ void BearingDump::command(int narg, char **arg)
                     file = args.word("file"), source = args.word("ID of a compute or fix");
   bool append = false;
   std::string names;
-  while (args.more()) {
-    if (args.take("append")) append = args.choice("append", {"no", "yes"}) == 1;
-    else if (args.take("columns")) names = args.word("name of a variable");
-    else args.unknown();
-  }
+  while (args.more())
+    if (!args.yes("append", append) && !args.word("columns", names, "name of a variable"))
+      args.unknown();
   const Columns of = columns_of(lmp, args, source);
   if (!names.empty()) {
     std::string style = "string", value = of.names;

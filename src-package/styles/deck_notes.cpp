@@ -5,6 +5,7 @@
 #include "../core/settings/deck_variable_table.h"
 #include "../core/settings/written.h"
 #include "../deck/find_data.h"
+#include "find_record_layout.h"
 #include "fix_bearing_heat.h"
 #include "fix_bearing_implicit.h"
 #include "fix_bearing_ring.h"
@@ -89,8 +90,8 @@ std::string variables_of(LAMMPS *lmp, double within)
   return list;
 }
 
-// Returns the data of a bearing and its oil as words KEY=VALUE.
-std::string words_of(const NamedBearing &b, const PairBearing &pair)
+// Returns the data of a bearing, its oil and its heating as words KEY=VALUE.
+std::string words_of(LAMMPS *lmp, const NamedBearing &b, const PairBearing &pair)
 {
   const auto [oil, temperature] = pair.oil_of(b.name);
   std::string words = "bearing=" + b.word("bearing");
@@ -100,19 +101,9 @@ std::string words_of(const NamedBearing &b, const PairBearing &pair)
   for (const char *side : {"inner", "outer"})
     words += std::string(" ") + side + "_shoulder_diameter_m=" +
              digits(b.number_or(std::string(side) + "_shoulder_diameter", 0.0));
+  for (const FixBearingHeat *f : fixes_of<FixBearingHeat>(lmp))
+    if (!f->idle() && f->covers_type(b.balls)) words += " heat_ambient_C=" + digits(f->ambient());
   return words;
-}
-
-// Returns the atom type of the first ball of each bearing of a record. Must be called on all ranks.
-std::vector<int> ball_types(LAMMPS *lmp, const RecordLayout &layout)
-{
-  std::vector<int> own(layout.bearings.size(), 0), all(own.size());
-  for (const RecordLayout::RecordBody &ball : layout.balls) {
-    const int i = lmp->atom->map(static_cast<tag_t>(ball.tag));
-    if (i >= 0 && i < lmp->atom->nlocal) own[ball.bearing] = lmp->atom->type[i];
-  }
-  MPI_Allreduce(own.data(), all.data(), static_cast<int>(own.size()), MPI_INT, MPI_MAX, lmp->world);
-  return all;
 }
 
 // The fix that states the loads of all inner rings of a record, null if there is none. Collective.
@@ -173,9 +164,7 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
     if (b->in_use) list.push_back(b);
   if (!named || list.empty()) return;
   const auto add = [&to](const std::string &name, const auto &value) {
-    if (std::none_of(to.begin(), to.end(),
-                     [&](const NetcdfHeader::Attribute &a) { return a.name == name; }))
-      to.push_back(NetcdfHeader::attribute(name, value));
+    NetcdfHeader::add_new(to, {name, value});
   };
   if (const std::string again = variables_of(lmp, within); !again.empty())
     add("deck_variables", again);
@@ -188,10 +177,9 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
       }))
     add("bearing", b.word("bearing"));
   if (list.size() > 1) {
-    std::string lines, numbers;    // one line per name, and the index of the line for each bearing
-                                   // in the record
+    std::string lines, numbers;    // a line per name; the line's index per bearing
     for (const NamedBearing *one : list)
-      lines += (lines.empty() ? "" : "\n") + words_of(*one, *named);
+      lines += (lines.empty() ? "" : "\n") + words_of(lmp, *one, *named);
     for (const int type : ball_types(lmp, layout)) {
       const auto at = std::find(list.begin(), list.end(), bearing_of_type(lmp, type));
       numbers += (numbers.empty() ? "" : " ") + std::to_string(at - list.begin());

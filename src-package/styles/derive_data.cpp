@@ -87,11 +87,11 @@ void four_point(DataValues &deck)
     return;
   }
   deck.zero("contact_angle", "four_point sets the contact angle");
-  deck.set("b_inner_raceway", DataValues::written(deck.number("inner_radius") - inner.depth()));
-  deck.set("b_inner_arch", "gothic_arch " + DataValues::written(inner.offset()));
+  deck.set("b_inner_raceway", bearing::digits(deck.number("inner_radius") - inner.depth()));
+  deck.set("b_inner_arch", "gothic_arch " + bearing::digits(inner.offset()));
   deck.set("b_outer_raceway",
            deck.number("outer_radius") + 0.5 * deck.number("clearance") + outer.depth());
-  deck.set("b_outer_arch", "gothic_arch " + DataValues::written(outer.offset()));
+  deck.set("b_outer_arch", "gothic_arch " + bearing::digits(outer.offset()));
 }
 
 }    // namespace

@@ -28,8 +28,7 @@ struct Piece {
   enum Kind { kind, ball, cage, ring } what;
   double bearing, tag;    // number that identifies the bearing; tag of the atom
   int raceway;
-  double of[of_kind::N];    // data of the bearing; for a ring: its origin, pocket play, guide and
-                            // phase
+  double of[of_kind::N];    // data of the bearing or, for a ring, its origin, play, guide, phase
 };
 
 bool before(const Piece &a, const Piece &b)
@@ -41,8 +40,7 @@ bool before(const Piece &a, const Piece &b)
 // whose group contains the ball.
 std::map<double, double> permittivities(LAMMPS *lmp)
 {
-  std::vector<double> mine, space;    // `mine` contains alternately the tag of a ball and a
-                                      // permittivity
+  std::vector<double> mine, space;    // mine: tag of a ball, permittivity, tag, ...
   for (const FixBearingCapacitance *f : capacitances_of(lmp))
     for (int i = 0; i < lmp->atom->nlocal; ++i)
       if (f->covers(i)) {
@@ -189,6 +187,17 @@ RecordLayout find_record_layout(LAMMPS *lmp, PairBearingHertz &pair, int groupbi
     }
   }
   return layout;
+}
+
+std::vector<int> ball_types(LAMMPS *lmp, const RecordLayout &layout)
+{
+  std::vector<int> own(layout.bearings.size(), 0), all(own.size());
+  for (const RecordLayout::RecordBody &ball : layout.balls) {
+    const int i = lmp->atom->map(static_cast<tag_t>(ball.tag));
+    if (i >= 0 && i < lmp->atom->nlocal) own[ball.bearing] = lmp->atom->type[i];
+  }
+  MPI_Allreduce(own.data(), all.data(), static_cast<int>(own.size()), MPI_INT, MPI_MAX, lmp->world);
+  return all;
 }
 
 }    // namespace bearing

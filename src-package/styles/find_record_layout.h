@@ -17,4 +17,7 @@ namespace bearing {
 RecordLayout find_record_layout(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz &, int groupbit,
                                 const std::string &command);
 
+// Returns the atom type of the balls of each bearing of a record. Must be called on all ranks.
+std::vector<int> ball_types(LAMMPS_NS::LAMMPS *, const RecordLayout &);
+
 }    // namespace bearing

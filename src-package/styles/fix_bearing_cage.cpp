@@ -4,6 +4,7 @@
 #include "../core/figures/fix_columns.h"
 #include "../core/settings/arguments.h"
 #include "fix_bearing_state.h"
+#include "fixes.h"
 #include "named_bearing.h"
 #include "pair_bearing_hertz.h"
 
@@ -20,11 +21,8 @@ using bearing::CageRails;
 FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/cage"))
 {
-  scalar_flag = vector_flag = 1;
-  size_vector = bearing::of_fix_cage::N;
-  global_freq = 1;
-  extscalar = extvector = 0;
-  Arguments args(lmp, std::string("fix ") + id + " bearing/cage", narg, arg, 3);
+  bearing::provide_values(*this, bearing::of_fix_cage::N);
+  Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   const bearing::NamedBearing *const b =
       args.more() ? bearing::find_bearing(lmp, args.next()) : nullptr;
   if (b) args.word("name of a bearing");
@@ -36,7 +34,7 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
   if (!pair_->coefficients().is_ring(ring_type_))
     args.fail("type " + std::to_string(ring_type_) +
               " is not a ring: no pair_coeff names it inner or outer");
-  while (args.more()) {
+  while (args.more())
     if (args.take("rail")) {
       Rail r;
       r.circle = args.positive("radius of the rail's centre circle (m)");
@@ -45,22 +43,16 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
       if (r.tube >= r.circle) args.fail("rail: tube radius must be smaller than the centre circle");
       cage_.rails.push_back(r);
       seats_ = false;
-    } else if (args.take("tube")) {
-      tube_ = args.positive("tube radius (m)");
-    } else if (args.take("gap")) {
-      gap_ = args.non_negative("gap between cage ball and rail (m)");
-    } else if (args.take("young")) {
-      young_[0] = args.within("Young's modulus of the cage balls (Pa)", raceway::LEAST_YOUNG,
-                              raceway::LARGEST_YOUNG);
+    } else if (args.within("young", young_[0], "Young's modulus of the cage balls (Pa)",
+                           raceway::LEAST_YOUNG, raceway::LARGEST_YOUNG)) {
       young_[1] = args.within("Young's modulus of the rails (Pa)", raceway::LEAST_YOUNG,
                               raceway::LARGEST_YOUNG);
-    } else if (args.take("poisson")) {
-      poisson_[0] = args.within("Poisson's ratio of the cage balls", 0.0, 0.5);
+    } else if (args.within("poisson", poisson_[0], "Poisson's ratio of the cage balls", 0.0, 0.5)) {
       poisson_[1] = args.within("Poisson's ratio of the rails", 0.0, 0.5);
-    } else {
+    } else if (!args.positive("tube", tube_, "tube radius (m)") &&
+               !args.non_negative("gap", gap_, "gap between cage ball and rail (m)")) {
       args.unknown();
     }
-  }
 }
 
 // Returns the named bearing whose ring carries the rails, or null if there is none.
@@ -98,8 +90,7 @@ void FixBearingCage::init()
     if (holds(i)) radius = std::max(radius, atom->radius[i]);
   MPI_Allreduce(MPI_IN_PLACE, &radius, 1, MPI_DOUBLE, MPI_MAX, world);
   if (radius == 0.0 && !expected()) return;
-  if (radius == 0.0)
-    BRG_ALL(std::string("fix ") + id + " bearing/cage: its group has no cage balls");
+  if (radius == 0.0) BRG_ALL(bearing::name_of(*this) + ": its group has no cage balls");
   pitch_ = pair_->coefficients().pitch_radius(ring_type_);
   if (seats_)
     cage_.rails = {seat_rail(pitch_, radius, tube_, gap_, 1.0),
@@ -158,9 +149,9 @@ void FixBearingCage::find_balls()
       }
     }
     if (nearest < 0)
-      BRG_ONE(std::string("fix ") + id + " bearing/cage: lost cage ball " +
-              std::to_string(atom->tag[i]) + " at step " + std::to_string(update->ntimestep) +
-              ": no ring of type " + std::to_string(ring_type_) + " within two pitch radii");
+      BRG_ONE(bearing::name_of(*this) + ": lost cage ball " + std::to_string(atom->tag[i]) +
+              " at step " + std::to_string(update->ntimestep) + ": no ring of type " +
+              std::to_string(ring_type_) + " within two pitch radii");
     cage_.balls.push_back({i, nearest, atom->tag[i], atom->tag[nearest], -1, 0.0});
   }
   std::sort(
@@ -220,8 +211,8 @@ void FixBearingCage::pre_force(int)
 
 void FixBearingCage::left_pocket(const CageRails::CageBall &ball, double off) const
 {
-  BRG_ONE(std::string("fix ") + id + " bearing/cage: cage ball " + std::to_string(ball.tag) +
-          " is " + bearing::text(off) + " m from the pitch circle at step " +
+  BRG_ONE(bearing::name_of(*this) + ": cage ball " + std::to_string(ball.tag) + " is " +
+          bearing::text(off) + " m from the pitch circle at step " +
           std::to_string(update->ntimestep) + ", more than " + bearing::text(pocket_) +
           " m: it has left its pocket. Rails hold cage balls from outside only, so they fall "
           "inwards under gravity or vibration at low speed");

@@ -24,7 +24,7 @@ using bearing::tag_t;
 FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/capacitance"))
 {
-  Arguments args(lmp, std::string("fix ") + id + " bearing/capacitance", narg, arg, 3);
+  Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   nevery = 1;
   if (args.more() && args.next_is_number())
     nevery = args.integer("steps between samples", 1, 1000000000);
@@ -49,10 +49,7 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
     if (grooves_) names += " groove";
     contacts_.open(args, contacts_name_, names.c_str(), world);
   }
-  scalar_flag = vector_flag = 1;
-  size_vector = bearing::of_fix_capacitance::N;
-  extscalar = extvector = 0;
-  global_freq = nevery;
+  bearing::provide_values(*this, bearing::of_fix_capacitance::N, nevery);
   peratom_flag = 1;
   size_peratom_cols = all ? 6 : 3;
   peratom_freq = nevery;
@@ -64,37 +61,33 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
 
 void FixBearingCapacitance::read_options(Arguments &args)
 {
+  const char *const outlet = "relative permittivity of the outlet";
   while (args.more()) {
-    if (args.take("permittivity")) {
-      model_.permittivity = args.within("relative permittivity at ambient pressure", 1.0, 10.0);
-    } else if (args.take("permittivity_at")) {
+    if (args.within("permittivity", model_.permittivity,
+                    "relative permittivity at ambient pressure", 1.0, 10.0) ||
+        args.within("outlet", model_.permittivity_outlet, outlet, 1.0, 10.0) ||
+        args.non_negative("background", background_, "background capacitance (F)") ||
+        args.positive("film_floor", model_.film_floor, "thinnest film of a capacitor (m)") ||
+        args.positive("resistivity", ask_.resistivity, "resistivity of the lubricant (ohm m)") ||
+        args.positive("frequency", ask_.frequency, "frequency of the impedance (Hz)") ||
+        args.positive("strength", ask_.strength, "electric strength of a film (V/m)") ||
+        args.integer("within", within_, "instants per step", 1, 100000) ||
+        args.word("file", totals_name_, "name of the file") ||
+        args.word("contacts", contacts_name_, "name of the file for contacts"))
+      continue;
+    if (args.take("permittivity_at")) {
       model_.at = static_cast<PermittivityAt>(
           args.choice("permittivity_at", {"maximum", "mean", "two_thirds"}));
     } else if (args.take("surroundings")) {
-      read_surroundings(args);
-    } else if (args.take("outlet")) {
-      read_outlet(args);
-    } else if (args.take("shoulders")) {
-      model_.inner_shoulder = args.non_negative("shoulder diameter of the inner ring (m)");
+      model_.surroundings = static_cast<Surroundings>(
+          args.choice("surroundings", {"none", "flooded", "dry", "cavitated"}));
+      if (model_.surroundings == Surroundings::cavitated && args.next_is_number())
+        model_.permittivity_outlet = args.within(outlet, 1.0, 10.0);
+    } else if (args.non_negative("shoulders", model_.inner_shoulder,
+                                 "shoulder diameter of the inner ring (m)")) {
       model_.outer_shoulder = args.non_negative("shoulder diameter of the outer ring (m)");
     } else if (args.take("roughness")) {
       model_.rough = args.choice("roughness", {"none", "gamma"}) == 1;
-    } else if (args.take("background")) {
-      background_ = args.non_negative("background capacitance (F)");
-    } else if (args.take("film_floor")) {
-      model_.film_floor = args.positive("thinnest film of a capacitor (m)");
-    } else if (args.take("resistivity")) {
-      ask_.resistivity = args.positive("resistivity of the lubricant (ohm m)");
-    } else if (args.take("frequency")) {
-      ask_.frequency = args.positive("frequency of the impedance (Hz)");
-    } else if (args.take("strength")) {
-      ask_.strength = args.positive("electric strength of a film (V/m)");
-    } else if (args.take("within")) {
-      within_ = args.integer("instants per step", 1, 100000);
-    } else if (args.take("file")) {
-      totals_name_ = args.word("name of the file");
-    } else if (args.take("contacts")) {
-      contacts_name_ = args.word("name of the file for contacts");
     } else {
       args.unknown();
     }
@@ -112,19 +105,6 @@ void FixBearingCapacitance::read_options(Arguments &args)
               bearing::text(model_.permittivity));
   if (!pair_->coefficients().lubricated())
     args.fail("a dry contact has no capacitance: use pair_style bearing/ehd");
-}
-
-void FixBearingCapacitance::read_surroundings(Arguments &args)
-{
-  model_.surroundings = static_cast<Surroundings>(
-      args.choice("surroundings", {"none", "flooded", "dry", "cavitated"}));
-  if (model_.surroundings == Surroundings::cavitated && args.more() && args.next_is_number())
-    read_outlet(args);
-}
-
-void FixBearingCapacitance::read_outlet(Arguments &args)
-{
-  model_.permittivity_outlet = args.within("relative permittivity of the outlet", 1.0, 10.0);
 }
 
 FixBearingCapacitance::~FixBearingCapacitance()
@@ -203,7 +183,7 @@ void FixBearingCapacitance::check_shoulders()
     for (int ring = 1; ring <= atom->ntypes; ++ring) {
       const RacewayPhysics *p = there[ball] ? pair_->coefficients().raceway(ball, ring) : nullptr;
       if (!p) continue;
-      const std::string who = std::string("fix ") + id + " bearing/capacitance: ";
+      const std::string who = bearing::name_of(*this) + ": ";
       const bool inner = p->groove.side == Side::inner;
       const double bottom = 2.0 * p->groove.raceway_radius,
                    centre = bottom + (inner ? 2.0 : -2.0) * p->groove.ball_radius,
@@ -237,11 +217,11 @@ void FixBearingCapacitance::find_integrators()
 {
   integrators_ = bearing::fixes_of<bearing::InstantSource>(lmp);
   if (integrators_.empty())
-    BRG_ALL(std::string("fix ") + id + " bearing/capacitance: 'within " + std::to_string(within_) +
+    BRG_ALL(bearing::name_of(*this) + ": 'within " + std::to_string(within_) +
             "' needs fix bearing/implicit, which provides the states within a step; with other "
             "integrators sample every step");
   for (bearing::InstantSource *f : integrators_)
-    f->want_instants(instants(within_), std::string("fix ") + id + " bearing/capacitance");
+    f->want_instants(instants(within_), bearing::name_of(*this));
   members_ = bearing::TagSet(find_members());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_checkpoint.h"
 
+#include "../core/numbers/number_list.h"
 #include "../core/settings/arguments.h"
 #include "../core/settings/deck_words.h"
 #include "../core/settings/restart_sum.h"
@@ -41,7 +42,7 @@ std::string whole(double n) { return std::to_string(static_cast<long long>(n)); 
 // [settings TEXT]
 // [mean V] ... [count K V1 ... VK] [balance RING] [files F1 F2 ...]
 FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), command_(std::string("fix ") + id + " bearing/checkpoint")
+    Fix(lmp, narg, arg), command_(bearing::name_of(*this))
 {
   Arguments args(lmp, command_, narg, arg, 3);
   nevery = 1;
@@ -51,43 +52,40 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
   last_ = waits();
   file_ = args.word("restart file");
   part_ = file_ + ".part";
+  bool dumps = false;
+  int keep = 0;
   while (args.more()) {
-    if (args.take("restart"))
-      every_restart_ = args.integer("steps between restart files", 0, 2000000000);
-    else if (waits() && args.take("keep"))
-      keep_ = args.integer("samples between restart files", 0, 1000000);
-    else if (args.take("resume")) resume_ = args.choice("resume", {"no", "yes"}) == 1;
-    else if (args.take("last")) last_ = args.choice("last", {"no", "yes"}) == 1;
-    else if (args.take("settings")) settings_ = args.word("settings");
-    else if (args.take("mean")) means_.push_back(DrivenValue::read(args, "mean"));
+    if (args.integer("restart", every_restart_, "steps between restart files", 0, 2000000000) ||
+        (waits() && args.integer("keep", keep, "samples between restart files", 0, 1000000)) ||
+        args.yes("resume", resume_) || args.yes("last", last_) ||
+        args.word("settings", settings_, "settings"))
+      continue;
+    if (args.take("mean")) means_.push_back(DrivenValue::read(args, "mean"));
     else if (args.take("count"))
       for (int n = args.integer("number of counters", 1, 100); n > 0; --n)
         counters_.push_back(DrivenValue::read(args, "count"));
-    else if (args.take("balance")) ring_id_ = args.word("ID of a fix bearing/ring");
-    else if (waits() && args.take("dumps")) {
-      if (args.choice("dumps", {"no", "yes"}) == 1)
-        for (const char *name : {"contacts.dump", "balls.dump", "rings.dat"})
-          files_.push_back((fs::path(file_).parent_path() / name).string());
-    } else if (args.take("files"))
+    else if (!args.word("balance", ring_id_, "ID of a fix bearing/ring") &&
+             !(waits() && args.yes("dumps", dumps))) {
+      if (!args.take("files")) args.unknown();
       while (args.more()) files_.push_back(args.word("file"));
-    else args.unknown();
+    }
   }
+  keep_ = keep;
+  if (dumps)
+    for (const char *name : {"contacts.dump", "balls.dump", "rings.dat"})
+      files_.push_back((fs::path(file_).parent_path() / name).string());
   for (int k = 0; k < modify->nfix; ++k)
     if (const Fix *f = modify->fix[k])
       if (f != this && dynamic_cast<const FixBearingCheckpoint *>(f))
         args.fail(std::string("fix ") + f->id +
                   " already has this style: the host writes only one series of restart files");
-  if (means_.empty()) means_.emplace_back();    // an empty mean is added because the counters come
-                                                // second
+  if (means_.empty()) means_.emplace_back();    // the counters come second
   sums_.assign(means_.size() + (ring_id_.empty() ? 0 : 6), 0.0);
   before_.assign(counters_.size(), 0.0);
   length_.assign(files_.size(), 0.0);
   seen_.assign(files_.size(), -1.0);
   restart_global = 1;
-  scalar_flag = vector_flag = 1;
-  size_vector = static_cast<int>(means_.size() + counters_.size());
-  extscalar = extvector = 0;
-  global_freq = 1;
+  bearing::provide_values(*this, static_cast<int>(means_.size() + counters_.size()));
   write_every(every_restart_);
 }
 
@@ -137,8 +135,7 @@ void FixBearingCheckpoint::init()
             " of this style");
   check_deck();
   if (!resumed_ && comm->me == 0 && !begun_)
-    unlink(file_.c_str());    // this is the restart file of an earlier run, which is replaced by
-                              // this run
+    unlink(file_.c_str());    // of an earlier run, which this run replaces
   begun_ = true;
 }
 
@@ -346,47 +343,37 @@ double FixBearingCheckpoint::compute_vector(int n)
 
 void FixBearingCheckpoint::write_restart(FILE *fp)
 {
-  std::vector<double> data = {samples_, static_cast<double>(sums_.size()),
-                              static_cast<double>(counters_.size()),
-                              static_cast<double>(files_.size())};
-  data.insert(data.end(), sums_.begin(), sums_.end());
+  bearing::NumberWriter list;
+  list(samples_, sums_.size(), counters_.size(), files_.size(), sums_);
   for (size_t k = 0; k < counters_.size(); ++k)
-    data.push_back(compute_vector(static_cast<int>(means_.size() + k)));
+    list(compute_vector(static_cast<int>(means_.size() + k)));
   if (comm->me != 0) return;
   // a deck may also write its own restart files, which this fix ignores
   struct stat theirs, ours;
   written_ = fstat(fileno(fp), &theirs) == 0 && stat(part_.c_str(), &ours) == 0 &&
              theirs.st_dev == ours.st_dev && theirs.st_ino == ours.st_ino;
-  for (const std::string &f : files_) data.push_back(bearing::file_size(f));
-  const int numbers = static_cast<int>(data.size() * sizeof(double));
+  for (const std::string &f : files_) list(bearing::file_size(f));
   std::string words = settings_ + '\0';
   for (const std::string &line : deck()) words += line + '\n';
-  words += '\0' + bearing::empty_sum();
-  const int size = numbers + static_cast<int>(words.size());
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(data.data(), 1, numbers, fp);
-  fwrite(words.data(), 1, words.size(), fp);
+  list.write(fp, words + '\0' + bearing::empty_sum());
 }
 
 void FixBearingCheckpoint::restart(char *buf)
 {
-  double head[4];
-  memcpy(head, buf, sizeof head);
-  if (head[1] != sums_.size() || head[2] != counters_.size() || head[3] != files_.size())
-    BRG_ALL(command_ + ": the restart file was written with " + whole(head[1]) + " sums, " +
-            whole(head[2]) + " counters and " + whole(head[3]) + " files, not " +
+  bearing::NumberReader list(buf);
+  size_t sums, counters, files;
+  list(samples_, sums, counters, files);
+  if (sums != sums_.size() || counters != counters_.size() || files != files_.size())
+    BRG_ALL(command_ + ": the restart file was written with " + std::to_string(sums) + " sums, " +
+            std::to_string(counters) + " counters and " + std::to_string(files) + " files, not " +
             std::to_string(sums_.size()) + ", " + std::to_string(counters_.size()) + " and " +
             std::to_string(files_.size()));
-  const char *rest = buf + sizeof head;
-  for (std::vector<double> *to : {&sums_, &before_, &length_}) {
-    if (!to->empty()) memcpy(to->data(), rest, to->size() * sizeof(double));
-    rest += to->size() * sizeof(double);
-  }
+  list(sums_, before_, length_);
+  const char *rest = list.rest();
   if (settings_ != rest)
     BRG_ALL(command_ + ": " + file_ + " belongs to another run: '" + rest + "', this one is '" +
             settings_ + "'. Remove it, or resume with its settings");
   deck_ = rest + settings_.size() + 1;
-  samples_ = head[0];
   resumed_ = true;
   check_files();
 }

@@ -4,6 +4,7 @@
 #include "../core/electric/film_figures.h"
 #include "../core/figures/contact_columns.h"
 #include "../core/figures/fix_columns.h"
+#include "../core/numbers/number_list.h"
 #include "../core/settings/arguments.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_capacitance.h"
@@ -29,7 +30,7 @@ constexpr double pi = 3.14159265358979323846;
 // fix ID group bearing/circuit N CAPACITANCE floating V | source R | motor C_WR C_RF [keywords]
 FixBearingCircuit::FixBearingCircuit(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
-  Arguments args(lmp, std::string("fix ") + id + " bearing/circuit", narg, arg, 3);
+  Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   nevery = args.integer("steps between samples", 1, 1000000000);
   cap_id_ = args.word("ID of a fix bearing/capacitance");
   settings_ = CircuitSettings::read(args);
@@ -44,10 +45,7 @@ FixBearingCircuit::FixBearingCircuit(LAMMPS *lmp, int narg, char **arg) : Fix(lm
     events_.open(args, settings_.events, names.c_str(), world);
   }
   restart_global = 1;
-  scalar_flag = vector_flag = 1;
-  size_vector = bearing::of_fix_circuit::N;
-  extscalar = extvector = 0;
-  global_freq = nevery;
+  bearing::provide_values(*this, bearing::of_fix_circuit::N, nevery);
 }
 
 int FixBearingCircuit::setmask() { return END_OF_STEP; }
@@ -189,8 +187,7 @@ FixBearingCircuit::balls_of(const std::vector<tag_t> &tags, std::vector<Row> min
               std::to_string(row.ring) + "; give each bearing a group and a fix");
     ring[row.side] = row.ring;
     const size_t k = std::lower_bound(tags.begin(), tags.end(), row.ball) - tags.begin();
-    balls[k].azimuth = row.azimuth;    // measured about the axis of the outer ring, which comes
-                                       // last
+    balls[k].azimuth = row.azimuth;    // about the axis of the outer ring, which comes last
     balls[k].film[row.side].add(row.film);
   }
   return balls;
@@ -374,50 +371,29 @@ double FixBearingCircuit::compute_vector(int k)
   return 0.0;
 }
 
-// Stores the last sample and the state of the circuit at that sample. The films and the outer
+// Names the last sample and the state of the circuit at that sample. The films and the outer
 // circuit follow from these.
+template <class List> void FixBearingCircuit::keep(List &list)
+{
+  size_t n = balls_.size();
+  list(begun_, n, first_step_, last_step_, dt_, state_.charge.ring, state_.voltage.ring,
+       state_.account);
+  balls_.resize(n);
+  state_.charge.ball.resize(n);
+  state_.voltage.ball.resize(n);
+  for (size_t k = 0; k < n; ++k) list(balls_[k], state_.charge.ball[k], state_.voltage.ball[k]);
+}
+
 void FixBearingCircuit::write_restart(FILE *fp)
 {
-  if (comm->me != 0) return;
-  const CircuitAccount &a = state_.account;
-  std::vector<double> data = {
-      double(begun_),     double(balls_.size()), double(first_step_), double(last_step_), dt_,
-      state_.charge.ring, state_.voltage.ring};
-  data.insert(data.end(), reinterpret_cast<const double *>(&a),
-              reinterpret_cast<const double *>(&a + 1));
-  for (size_t k = 0; k < balls_.size(); ++k) {
-    data.insert(data.end(), reinterpret_cast<const double *>(&balls_[k]),
-                reinterpret_cast<const double *>(&balls_[k] + 1));
-    data.push_back(state_.charge.ball[k]);
-    data.push_back(state_.voltage.ball[k]);
-  }
-  const int size = static_cast<int>(data.size() * sizeof(double));
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(data.data(), 1, size, fp);
+  bearing::NumberWriter list;
+  keep(list);
+  if (comm->me == 0) list.write(fp);
 }
 
 void FixBearingCircuit::restart(char *buf)
 {
-  const auto take = [&buf](void *to, size_t bytes) {
-    memcpy(to, buf, bytes);
-    buf += bytes;
-  };
-  double head[7];
-  take(head, sizeof head);
-  begun_ = head[0] != 0.0;
-  balls_.resize(static_cast<size_t>(head[1]));
-  first_step_ = static_cast<bigint>(head[2]);
-  last_step_ = static_cast<bigint>(head[3]);
-  dt_ = head[4];
-  state_.charge.ring = head[5];
-  state_.voltage.ring = head[6];
-  take(&state_.account, sizeof state_.account);
-  state_.charge.ball.resize(balls_.size());
-  state_.voltage.ball.resize(balls_.size());
-  for (size_t k = 0; k < balls_.size(); ++k) {
-    take(&balls_[k], sizeof balls_[k]);
-    take(&state_.charge.ball[k], sizeof(double));
-    take(&state_.voltage.ball[k], sizeof(double));
-  }
+  bearing::NumberReader list(buf);
+  keep(list);
   restored_ = begun_;
 }

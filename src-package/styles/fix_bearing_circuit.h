@@ -76,6 +76,7 @@ class FixBearingCircuit : public Fix {
   {
     return (static_cast<double>(step - first_step_) - back) * dt_;
   }
+  template <class List> void keep(List &);
   void sample();
   void advance(const std::vector<BallFilms> &to, double time);
   raceway::BearingFilms films(const std::vector<BallFilms> &) const;

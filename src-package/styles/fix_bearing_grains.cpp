@@ -3,6 +3,7 @@
 #include "fix_bearing_grains.h"
 
 #include "../core/figures/fix_columns.h"
+#include "../core/numbers/number_list.h"
 #include "../core/settings/arguments.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_shaft.h"
@@ -200,40 +201,27 @@ void FixBearingGrains::copy_arrays(int i, int j, int) { grains_[j] = grains_[i];
 
 void FixBearingGrains::set_arrays(int i) { grains_[i] = Grain(); }
 
+template <class List> void FixBearingGrains::keep(List &list, Grain &g)
+{
+  size_t n = g.contacts.size();
+  list(g.lost, n);
+  g.contacts.resize(n);
+  for (Contact &c : g.contacts)
+    list(c.tag, c.part, c.of.spring, c.of.force, c.of.couple, c.of.moment, c.of.energy);
+}
+
 int FixBearingGrains::pack_exchange(int i, double *buf)
 {
-  const Grain &g = grains_[i];
-  int m = 0;
-  buf[m++] = g.lost;
-  buf[m++] = static_cast<double>(g.contacts.size());
-  for (const Contact &c : g.contacts) {
-    buf[m++] = static_cast<double>(c.tag);
-    buf[m++] = c.part;
-    for (const Vec3 *of : {&c.of.spring, &c.of.force, &c.of.couple, &c.of.moment}) {
-      of->to(buf + m);
-      m += 3;
-    }
-    buf[m++] = c.of.energy;
-  }
-  return m;
+  bearing::NumberWriter list;
+  keep(list, grains_[i]);
+  return list.copy_to(buf);
 }
 
 int FixBearingGrains::unpack_exchange(int i, double *buf)
 {
-  Grain &g = grains_[i];
-  int m = 0;
-  g.lost = buf[m++];
-  g.contacts.resize(static_cast<size_t>(buf[m++]));
-  for (Contact &c : g.contacts) {
-    c.tag = static_cast<bearing::tag_t>(buf[m++]);
-    c.part = static_cast<int>(buf[m++]);
-    for (Vec3 *of : {&c.of.spring, &c.of.force, &c.of.couple, &c.of.moment}) {
-      *of = Vec3::from(buf + m);
-      m += 3;
-    }
-    c.of.energy = buf[m++];
-  }
-  return m;
+  bearing::NumberReader list(buf);
+  keep(list, grains_[i]);
+  return list.count();
 }
 
 int FixBearingGrains::pack_restart(int i, double *buf)
@@ -258,36 +246,25 @@ int FixBearingGrains::size_restart(int i)
 
 int FixBearingGrains::maxsize_restart() { return 3 + numbers_kept * most_contacts; }
 
-// Writes the last positions and loads of the shafts in the order in which they are named in the
+// Names the last positions and loads of the shafts in the order in which they are named in the
 // command.
+template <class List> void FixBearingGrains::keep_shafts(List &list)
+{
+  list(known_step_);
+  for (Shaft &s : shafts_) list(s.now, s.force, s.moment);
+}
+
 void FixBearingGrains::write_restart(FILE *fp)
 {
-  if (comm->me != 0) return;
-  struct Kept {
-    raceway::RingAtom now;
-    Vec3 force, moment;
-  };
-  const int size = static_cast<int>(sizeof known_step_ + shafts_.size() * sizeof(Kept));
-  fwrite(&size, sizeof size, 1, fp);
-  fwrite(&known_step_, sizeof known_step_, 1, fp);
-  for (const Shaft &s : shafts_) {
-    const Kept kept = {s.now, s.force, s.moment};
-    fwrite(&kept, sizeof kept, 1, fp);
-  }
+  bearing::NumberWriter list;
+  keep_shafts(list);
+  if (comm->me == 0) list.write(fp);
 }
 
 void FixBearingGrains::restart(char *buf)
 {
-  memcpy(&known_step_, buf, sizeof known_step_);
-  buf += sizeof known_step_;
-  for (Shaft &s : shafts_) {
-    memcpy(&s.now, buf, sizeof s.now);
-    buf += sizeof s.now;
-    memcpy(&s.force, buf, sizeof s.force);
-    buf += sizeof s.force;
-    memcpy(&s.moment, buf, sizeof s.moment);
-    buf += sizeof s.moment;
-  }
+  bearing::NumberReader list(buf);
+  keep_shafts(list);
 }
 
 double FixBearingGrains::memory_usage()

@@ -3,6 +3,7 @@
 
 #include "../core/geometry/ring_capacity.h"
 #include "../core/geometry/usual_data.h"
+#include "../core/numbers/number_list.h"
 #include "../core/settings/arguments.h"
 #include "ball_pass.h"
 #include "fix_bearing_cage_ring.h"
@@ -29,40 +30,31 @@ static constexpr double samples_a_pass = 200.0;    // maximum number of samples 
 FixBearingHeat::FixBearingHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
-  while (args.more()) read(args);
+  std::string heat = "yes";
+  while (args.more())
+    if (!(args.variable("heat", heat) || args.variable("ambient", network_.ambient) ||
+          args.variable("cooling", cooling_) || args.variable("shaft_cooling", network_.shaft) ||
+          args.variable("seat", network_.seat) ||
+          args.variable("housing_capacity", network_.capacity[3]) ||
+          args.variable("oil_flow", oil_flow_) || args.variable("oil_inlet", oil_inlet_) ||
+          args.variable("warm_start", start_) || args.variable("warm_time", control_.until) ||
+          args.variable("warm_change", control_.change) ||
+          args.variable("warm_error", control_.error) ||
+          args.word("file", file_name_, "name of the file")))
+      args.unknown();
+  idle_ = heat == "no";
   if (network_.capacity[3] > 0.0 && network_.seat == 0.0)
     args.fail("'housing_capacity' needs 'seat', the conductance from outer ring to housing");
   if (!std::isnan(oil_inlet_) && oil_flow_ == 0.0)
     args.fail("'oil_inlet' needs 'oil_flow', the volume flow of the oil");
   restart_global = 1;
-  scalar_flag = vector_flag = 1;
-  size_vector = bearing::of_fix_heat::N;
-  extscalar = extvector = 0;
-  global_freq = 1;
+  bearing::provide_values(*this, bearing::of_fix_heat::N);
   nevery = 1;
   if (idle_ || file_name_.empty()) return;
   std::string names;
   for (const auto &column : of::list)
     names += (names.empty() ? "" : " ") + std::string(column.name);
   file_.open(args, file_name_, names.c_str(), world);
-}
-
-void FixBearingHeat::read(Arguments &args)
-{
-  if (args.take("heat")) idle_ = args.value_of("heat") == "no";
-  else if (args.take("ambient")) network_.ambient = args.number_of("ambient");
-  else if (args.take("cooling")) cooling_ = args.number_of("cooling");
-  else if (args.take("shaft_cooling")) network_.shaft = args.number_of("shaft_cooling");
-  else if (args.take("seat")) network_.seat = args.number_of("seat");
-  else if (args.take("housing_capacity")) network_.capacity[3] = args.number_of("housing_capacity");
-  else if (args.take("oil_flow")) oil_flow_ = args.number_of("oil_flow");
-  else if (args.take("oil_inlet")) oil_inlet_ = args.number_of("oil_inlet");
-  else if (args.take("warm_start")) start_ = args.number_of("warm_start");
-  else if (args.take("warm_time")) control_.until = args.number_of("warm_time");
-  else if (args.take("warm_change")) control_.change = args.number_of("warm_change");
-  else if (args.take("warm_error")) control_.error = args.number_of("warm_error");
-  else if (args.take("file")) file_name_ = args.word("name of the file");
-  else args.unknown();
 }
 
 int FixBearingHeat::setmask() { return idle_ ? 0 : INITIAL_INTEGRATE | END_OF_STEP; }
@@ -77,6 +69,7 @@ void FixBearingHeat::init()
   find_bearing();
   check_oil();
   find_network();
+  pass_ = bearing::ball_pass_time(lmp, bearing::name_of(*this), NAN);
   pair_->add_follower(this);
   HeatState &heat = now_.heat;
   if (now_.begun == 0.0) {
@@ -204,11 +197,10 @@ double FixBearingHeat::convection() const
                         oil_datum("oil_density"), oil_datum("viscosity"), orbit, pitch);
 }
 
-// Finds the duration of a ball pass and the time until the end of the load ramp.
+// Finds the time until the end of the load ramp.
 void FixBearingHeat::setup(int)
 {
   if (idle_) return;
-  pass_ = bearing::ball_pass_time(lmp, bearing::name_of(*this), NAN);
   ramp_ = 0.0;
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp_ = std::max(ramp_, f->ramp());
@@ -236,8 +228,7 @@ void FixBearingHeat::begin_step()
   last_step_ = update->ntimestep;
   if (apply_) apply_oil();
   apply_ = false;
-  if (now_.stage == RAMP || now_.stage == LAST)
-    grow(std::min(1.0, (now_.since + update->dt) / pass_));
+  if (now_.stage == RAMP || now_.stage == LAST) grow(share_at(now_.since + update->dt));
 }
 
 // Adapts contact law and cage to the temperature of the oil, and sets the thermal expansion of the
@@ -254,10 +245,21 @@ void FixBearingHeat::apply_oil()
   for (FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp)) {
     if (f->idle_ || !f->bearing_) continue;
     const bool moves = f->now_.stage == RAMP || f->now_.stage == LAST;
-    f->grow(moves ? std::min(1.0, f->now_.since / f->pass_) : 1.0);
+    f->grow(moves ? f->share_at(f->now_.since) : 1.0);
   }
   for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) f->laws_changed();
 }
+
+// Returns true if a stage that lasts one ball pass has ended at the time `since` after it began.
+bool FixBearingHeat::passed(double since) const
+{
+  return since >= pass_ * (1.0 - 1e-9) - 0.5 * update->dt;
+}
+
+// Returns the fraction of the change of the clearance that has been made at the time `since` after
+// a ramp began. It is 1 at the last step of the ramp, even if a ball pass is not a whole number of
+// steps.
+double FixBearingHeat::share_at(double since) const { return passed(since) ? 1.0 : since / pass_; }
 
 // Sets the clearance to an intermediate value, at the fraction `share` of the way from its previous
 // value to its value at the current temperatures.
@@ -347,18 +349,16 @@ void FixBearingHeat::write_row(const Row &row)
 
 void FixBearingHeat::write_restart(FILE *fp)
 {
-  if (comm->me != 0) return;
-  const size_t rows = rows_.size() * sizeof(Row);
-  const int size = static_cast<int>(sizeof now_ + rows);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&now_, sizeof now_, 1, fp);
-  if (rows) fwrite(rows_.data(), 1, rows, fp);
+  bearing::NumberWriter list;
+  list(now_, rows_);
+  if (comm->me == 0) list.write(fp);
 }
 
 void FixBearingHeat::restart(char *buf)
 {
-  memcpy(static_cast<void *>(&now_), buf, sizeof now_);
+  bearing::NumberReader list(buf);
+  list(now_);
   rows_.resize(static_cast<size_t>(now_.rows));
-  if (!rows_.empty()) memcpy(rows_.data(), buf + sizeof now_, rows_.size() * sizeof(Row));
+  list(rows_);
   rewrite_ = true;
 }

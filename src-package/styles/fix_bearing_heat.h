@@ -46,11 +46,13 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   // is over, or heating is switched off.
   bool still() const { return idle_ || now_.stage == STAY; }
   bool idle() const { return idle_; }
+  // Lets the temperatures change again until they are steady, because loads or speeds may have
+  // changed. If `warm_time` is given, no time is left.
+  void go_on();
   // Current temperatures (C) of the contacts, from INNER to OIL as in core/figures/fix_columns.h.
   std::array<double, 5> temperatures() const;
   bool covers_type(int ball_type) const;
-  double ambient() const { return network_.ambient; }    // ambient temperature, C, at which the
-                                                         // bearing has the given clearance
+  double ambient() const { return network_.ambient; }    // C, at which the clearance is given
 
  private:
   enum Stage { WAIT, RAMP, WATCH, LAST, STAY, READY };
@@ -63,8 +65,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
     double since = 0.0;                         // s, time since this stage began
     double run = 0.0;                           // s, total time
     double summed = 0.0;                        // s, time covered by `sum`
-    double oil = 0.0;                           // C, oil temperature used in the current contact
-                                                // law
+    double oil = 0.0;                           // C, of the oil in the current contact law
     double begin[raceway::heat_nodes] = {};     // C, temperatures at the start
     double from[parts] = {}, to[parts] = {};    // C, at the start and end of the clearance ramp
     double jump = 0.0;                          // s, length of the last jump
@@ -72,7 +73,6 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   };
   using Row = std::array<double, bearing::of_fix_heat::N>;
 
-  void read(bearing::Arguments &);
   void find_bearing();
   void find_network();
   void find_oil_flow();
@@ -82,6 +82,8 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   void check_oil();
   void apply_oil();
   void grow(double share);
+  double share_at(double since) const;
+  bool passed(double since) const;
   double value(int column) const;
   double clearance() const;
   raceway::HeatPass losses();

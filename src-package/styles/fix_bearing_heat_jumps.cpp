@@ -24,20 +24,26 @@ void FixBearingHeat::enter(Stage stage)
   now_.summed = 0.0;
 }
 
+void FixBearingHeat::go_on()
+{
+  if (idle_ || now_.stage != STAY || control_.until > 0.0) return;
+  now_.heat.forget_losses();
+  enter(WAIT);
+}
+
 void FixBearingHeat::end_of_step()
 {
   now_.since += update->dt;
   now_.run += update->dt;
-  const double nearly = pass_ * (1.0 - 1e-9) - 0.5 * update->dt;
   switch (static_cast<int>(now_.stage)) {
     case WAIT:
       if (now_.since >= ramp_ + passes_at_first * pass_) enter(WATCH);
       break;
     case RAMP:
-      if (now_.since >= nearly) enter(WATCH);
+      if (passed(now_.since)) enter(WATCH);
       break;
     case LAST:
-      if (now_.since >= nearly) enter(STAY);
+      if (passed(now_.since)) enter(STAY);
       break;
     case WATCH:
       if (update->ntimestep % stride_ == 0) {
@@ -48,7 +54,7 @@ void FixBearingHeat::end_of_step()
         now_.sum.outer += dt * p.outer;
         now_.summed += dt;
       }
-      if (now_.since >= nearly && now_.summed > 0.0) now_.stage = READY;
+      if (passed(now_.since) && now_.summed > 0.0) now_.stage = READY;
       break;
     default: break;
   }

@@ -51,10 +51,7 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
   else settings.cage = pair_->cage_tolerance_share();
   solver_->fine = settings;
   time_integrate = 1;
-  scalar_flag = vector_flag = 1;
-  size_vector = bearing::of_fix_implicit::N;
-  global_freq = 1;
-  extscalar = extvector = 0;
+  bearing::provide_values(*this, bearing::of_fix_implicit::N);
 }
 
 // Reads one keyword and its value. A tolerance of 0 means that the tolerance is chosen
@@ -62,32 +59,28 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
 void FixBearingImplicit::read(Arguments &args)
 {
   BearingIntegrator::Settings &settings = solver_->settings;
-  const auto or_zero = [&args](const char *what, double lo, double hi) {
-    const double v = args.number(what);
-    if (v != 0.0 && !(v >= lo && v <= hi))
-      args.fail(std::string(what) + " is " + text(v) + ", must be from " + text(lo) + " to " +
-                text(hi) + ", or 0");
-    return v;
+  const auto two_names = [&](const char *one, const char *other, double &to, const char *what,
+                             double lo, double hi) {
+    return args.within(one, to, what, lo, hi) || args.within(other, to, what, lo, hi);
   };
-  if (args.take("tolerance")) tolerance_ = or_zero("tolerance (m)", 1e-13, 1e-5);
-  else if (args.take("cage_tolerance")) cage_ = or_zero("tolerance of cage balls (m)", 1e-13, 1e-3);
-  else if (args.take("relative") || args.take("relative_tolerance"))
-    relative_ = args.within("tolerance relative to the largest overlap", 0.0, 1e-2);
-  else if (args.take("error") || args.take("step_error"))
-    settings.error = args.within("error of a step over the tolerance", 1.0, 100.0);
-  else if (args.take("control") || args.take("step_control"))
+  double oversampling = oversampling_;
+  if (args.variable("tolerance", tolerance_) || args.variable("cage_tolerance", cage_) ||
+      two_names("relative", "relative_tolerance", relative_,
+                "tolerance relative to the largest overlap", 0.0, 1e-2) ||
+      two_names("error", "step_error", settings.error, "error of a step over the tolerance", 1.0,
+                100.0) ||
+      args.integer("order", settings.order, "order", 1, 2) ||
+      args.integer("corrections", settings.corrections, "corrections in a stage", 1, 100) ||
+      args.within("largest", largest_, "largest step (s)", smallest_step, HUGE_VAL) ||
+      args.within("creep", creep_, "creep of the smoothed friction", 1e-6, 1.0) ||
+      args.yes("energy", energy_wanted_))
+    return;
+  if (args.take("control") || args.take("step_control"))
     estimate_ = args.choice("control", {"bound", "estimate"});
   else if (args.take("solve")) settings.dampers_only = args.choice("solve", {"all", "damping"});
-  else if (args.take("order")) settings.order = args.integer("order", 1, 2);
-  else if (args.take("corrections"))
-    settings.corrections = args.integer("corrections in a stage", 1, 100);
-  else if (args.take("largest"))
-    largest_ = args.within("largest step (s)", smallest_step, HUGE_VAL);
-  else if (args.take("creep")) creep_ = args.within("creep of the smoothed friction", 1e-6, 1.0);
-  else if (args.take("energy")) energy_wanted_ = args.choice("energy", {"no", "yes"});
-  else if (sampling_ > 0.0 && args.take("sampling")) sampling_ = args.number_of("sampling");
-  else if (sampling_ > 0.0 && args.take("oversampling"))
-    oversampling_ = args.number_of("oversampling");
+  else if (sampling_ > 0.0 && args.variable("sampling", sampling_)) return;
+  else if (sampling_ > 0.0 && args.variable("oversampling", oversampling))
+    oversampling_ = oversampling;
   else if (args.next() == "sampling" || args.next() == "oversampling")
     args.fail("sampling and oversampling belong to fix bearing/vibration");
   else args.unknown();
@@ -127,10 +120,10 @@ void FixBearingImplicit::init()
   check_fixes();
   find_rings();
   instants_ = bearing::Instants();
+  capacitors_.clear();
   readers_.clear();
   if (pair_->coefficients().smooth_friction(creep_))
-    bearing::print_line(lmp, std::string("fix ") + id +
-                                 " bearing/implicit: friction smoothed over a creep of " +
+    bearing::print_line(lmp, bearing::name_of(*this) + ": friction smoothed over a creep of " +
                                  text(creep_) + " of the entrainment speed");
 }
 
@@ -139,8 +132,7 @@ void FixBearingImplicit::init()
 void FixBearingImplicit::find_rings()
 {
   const std::vector<FixBearingRing *> all = bearing::fixes_of<FixBearingRing>(lmp);
-  std::vector<int> seen;    // two flags per fix: it has rings in the group; it has rings outside
-                            // the group
+  std::vector<int> seen;    // for each fix: has rings in the group, has rings outside it
   for (const FixBearingRing *r : all) {
     int mine = 0, others = 0;
     for (int i = 0; i < atom->nlocal; ++i)
@@ -153,8 +145,8 @@ void FixBearingImplicit::find_rings()
   for (size_t k = 0; k < all.size(); ++k) {
     if (!seen[2 * k]) continue;
     if (seen[2 * k + 1])
-      BRG_ALL(std::string("fix ") + id + " bearing/implicit: its group has some rings of fix " +
-              all[k]->id + " but not all of them");
+      BRG_ALL(bearing::name_of(*this) + ": its group has some rings of fix " + all[k]->id +
+              " but not all of them");
     if (solver_->settings.dampers_only && all[k]->bending())
       BRG_ALL(bearing::name_of(*all[k]) + ": a flexible shaft needs 'solve all' of fix " + id +
               " bearing/implicit");
@@ -188,8 +180,8 @@ void FixBearingImplicit::check_fixes()
   for (const FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
     if (f != this)
       if (const int i = shared(*f))
-        BRG_ONE(std::string("fix ") + id + " bearing/implicit and fix " + f->id +
-                " both move atom " + std::to_string(atom->tag[i - 1]));
+        BRG_ONE(bearing::name_of(*this) + " and fix " + f->id + " both move atom " +
+                std::to_string(atom->tag[i - 1]));
   const int acts =
       INITIAL_INTEGRATE | POST_INTEGRATE | PRE_FORCE | POST_FORCE | FINAL_INTEGRATE | END_OF_STEP;
   for (int k = 0; k < modify->nfix; ++k) {
@@ -210,12 +202,12 @@ void FixBearingImplicit::check_fixes()
                           : strcmp(f.style, "recenter") == 0 ? "positions of its atoms"
                                                              : nullptr;
     if (changes)
-      BRG_ALL(std::string("fix ") + id + " bearing/implicit: fix " + f.id + " (" + f.style +
-              ") may not change the " + changes);
+      BRG_ALL(bearing::name_of(*this) + ": fix " + f.id + " (" + f.style + ") may not change the " +
+              changes);
     if (f.time_integrate || ((modify->fmask[k] & acts) && !only_reads(f.style)))
       if (shared(f))
-        BRG_ONE(std::string("fix ") + id + " bearing/implicit: its group has atoms of fix " + f.id +
-                " (" + f.style + "), which " + does);
+        BRG_ONE(bearing::name_of(*this) + ": its group has atoms of fix " + f.id + " (" + f.style +
+                "), which " + does);
   }
 }
 
@@ -228,7 +220,7 @@ void FixBearingImplicit::add_gravity(Fix &f)
     if (atom->mask[i] & groupbit) inside |= atom->mask[i] & f.groupbit ? 1 : 2;
   MPI_Allreduce(MPI_IN_PLACE, &inside, 1, MPI_INT, MPI_BOR, world);
   if (inside == 3)
-    BRG_ALL(std::string("fix ") + id + " bearing/implicit: fix " + f.id +
+    BRG_ALL(bearing::name_of(*this) + ": fix " + f.id +
             " (gravity) pulls some atoms of its group, but not all of them");
   if (inside == 1) gravity_.push_back(&f);
 }
@@ -242,8 +234,7 @@ raceway::Vec3 FixBearingImplicit::gravity()
   const size_t n = 3 * static_cast<size_t>(atom->nlocal);
   if (n > 0) forces_.assign(&atom->f[0][0], &atom->f[0][0] + n);
   raceway::Vec3 fall;
-  double mass = 1.0;    // kg, a fixed value, so that rounding does not depend on the first atom of
-                        // the rank
+  double mass = 1.0;    // kg, on all ranks, so that they round alike
   int one = 0;
   while (one < atom->nlocal && !(atom->mask[one] & groupbit)) ++one;
   if (one < atom->nlocal) {

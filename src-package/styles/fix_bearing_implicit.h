@@ -18,6 +18,7 @@ FixStyle(bearing/implicit,FixBearingImplicit)
 #define LMP_FIX_BEARING_IMPLICIT_H
 
 #include "../contacts/instants.h"
+#include "../contacts/tag_set.h"
 #include "bearing_compat.h"
 
 #include <memory>
@@ -28,6 +29,10 @@ FixStyle(bearing/implicit,FixBearingImplicit)
 
 namespace bearing {
 class Arguments;
+}
+
+namespace raceway {
+struct BearingModel;
 }
 
 namespace LAMMPS_NS {
@@ -49,8 +54,7 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   // shaft; each system has its own substeps.
   double systems() const;
   struct Control {
-    double tolerance, relative, cage;    // tolerance, m; tolerance relative to the largest overlap;
-                                         // tolerance of cage balls, m
+    double tolerance, relative, cage;    // m; of the largest overlap; m, of cage balls
     bool estimate;
   };
   Control control() const;
@@ -92,21 +96,23 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   [[noreturn]] void give_up(const OwnBearing &, double h) const;
 
   PairBearingHertz *pair_;
-  double tolerance_ = 0.0;    // m, allowed local error of a position in a substep; 0 until it is
-                              // known
+  double tolerance_ = 0.0;    // m, allowed error of a position in a substep; 0: unknown
   bool laws_changed_ = false;
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ has been set
-  bearing::Instants instants_;
+  struct Capacitors {
+    raceway::CapacitorModel model;
+    bearing::TagSet balls;
+  };
+  raceway::CapacitorModel capacitors_of(const raceway::BearingModel &) const;
+  bearing::Instants instants_;    // requested by all readers
+  std::vector<Capacitors> capacitors_;
   std::set<std::string> readers_;    // commands that have requested instants
   double largest_ = HUGE_VAL;        // s, largest substep
   double creep_ = 0.01;
   double cage_ = 0.0;                           // tolerance of cage balls, m, or 0
-  double relative_ = NAN;                       // relative tolerance; NAN if it is set by the pair
-                                                // style
-  std::optional<bool> estimate_;                // true: control by error estimates; empty if this
-                                                // is set by the pair style
-  double sampling_ = 0.0, oversampling_ = 4;    // sampling rate of the signal, Hz; samples in the
-                                                // record per sample of the signal
+  double relative_ = NAN;                       // NAN: that of the pair style
+  std::optional<bool> estimate_;                // empty: as the pair style says
+  double sampling_ = 0.0, oversampling_ = 4;    // Hz; samples of the record per sample
   std::vector<FixBearingRing *> rings_;         // fixes whose rings are integrated by this fix
   std::vector<Fix *> gravity_;                  // gravity fixes that act on all atoms of the group
   std::vector<double> forces_;                  // forces saved while gravity is evaluated

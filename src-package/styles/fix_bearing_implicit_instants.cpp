@@ -5,12 +5,22 @@
 #include "pair_bearing_hertz.h"
 #include "ring_values.h"
 
+#include <algorithm>
+
 using namespace LAMMPS_NS;
 using bearing::Instants;
 using bearing::tag_t;
 using raceway::BearingModel;
 
-// All requests must specify the same instants, which are evaluated only once.
+static std::string different(const FixBearingImplicit &fix)
+{
+  return std::string(": two fixes request different data between the steps of fix ") + fix.id +
+         " bearing/implicit; use the same permittivity, film_floor, permittivity_at, surroundings, "
+         "shoulders and roughness for all balls of a bearing";
+}
+
+// All requests must specify the same instants, which are evaluated only once. The capacitors of
+// different bearings may differ.
 void FixBearingImplicit::want_instants(const Instants &i, const std::string &command)
 {
   const bool others = instants_.number > 1;
@@ -18,16 +28,32 @@ void FixBearingImplicit::want_instants(const Instants &i, const std::string &com
     BRG_ALL(command + ": 'within " + std::to_string(i.number) +
             "', but another fix requests 'within " + std::to_string(instants_.number) +
             "' of fix " + id + " bearing/implicit");
-  const bool capacitor = i.capacitor.permittivity > 0.0;
-  if (others && capacitor && instants_.capacitor.permittivity > 0.0 &&
-      i.capacitor != instants_.capacitor)
-    BRG_ALL(command + ": two fixes request different data between the steps of fix " + id +
-            " bearing/implicit; use the same permittivity, film_floor, permittivity_at, "
-            "surroundings, shoulders and roughness");
-  const bool states = instants_.states || i.states;
-  if (capacitor || !others) instants_ = i;
-  instants_.states = states;
+  for (const Capacitors &other : capacitors_)
+    if (i.capacitor.permittivity > 0.0 && other.model != i.capacitor &&
+        std::any_of(i.balls.begin(), i.balls.end(),
+                    [&other](tag_t ball) { return other.balls.has(ball); }))
+      BRG_ALL(command + different(*this));
+  if (i.capacitor.permittivity > 0.0)
+    capacitors_.push_back({i.capacitor, bearing::TagSet(i.balls)});
+  instants_.number = i.number;
+  instants_.states = instants_.states || i.states;
   readers_.insert(command);
+}
+
+// Returns the capacitors that have been requested for the balls of a bearing.
+raceway::CapacitorModel FixBearingImplicit::capacitors_of(const BearingModel &of) const
+{
+  raceway::CapacitorModel found;
+  for (const Capacitors &one : capacitors_) {
+    if (std::none_of(of.grooves.begin(), of.grooves.end(), [&](const BearingModel::Groove &g) {
+          return one.balls.has(of.bodies[g.body].tag);
+        }))
+      continue;
+    if (found.permittivity > 0.0 && found != one.model)
+      BRG_ONE(bearing::name_of(*this) + different(*this));
+    found = one.model;
+  }
+  return found;
 }
 
 void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell) const

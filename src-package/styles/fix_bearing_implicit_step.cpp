@@ -101,8 +101,8 @@ void FixBearingImplicit::build()
     if (!integrator) {
       integrator = std::make_unique<BearingIntegrator>(of);
       integrator->keep_energy(energy_wanted_);
-      integrator->instants().want({instants_.number, instants_.capacitor});
     }
+    integrator->instants().want({instants_.number, capacitors_of(model)});
     all.integrators.push_back(std::move(integrator));
     all.own.push_back({all.integrators.back().get(), 0.0, {}});
     kind.push_back({p, all.integrators.back().get()});
@@ -232,7 +232,7 @@ void FixBearingImplicit::give_up(const OwnBearing &p, double h) const
   const BearingIntegrator::Outcome &o = p.outcome;
   const BearingModel &m = solver_->bearings.model(&p - solver_->own.data());
   const std::string where =
-      std::string("fix ") + id + " bearing/implicit at step " + std::to_string(update->ntimestep);
+      bearing::name_of(*this) + " at step " + std::to_string(update->ntimestep);
   const std::string who =
       o.body >= 0 ? "atom " + std::to_string(m.bodies[o.body].tag) : std::string("a body");
   if (o.failure == raceway::Failure::overlinked)

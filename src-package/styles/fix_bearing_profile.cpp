@@ -21,6 +21,11 @@ using raceway::ProfileShape;
 using raceway::RacewayPhysics;
 using raceway::Wave;
 
+template <class T> static void append(std::vector<T> &to, const std::vector<T> &more)
+{
+  to.insert(to.end(), more.begin(), more.end());
+}
+
 // Writes a word as it would appear in a deck, i.e. in quotes if it contains blanks.
 static std::string quoted(const std::string &word)
 {
@@ -37,7 +42,7 @@ static std::string quoted(const std::string &word)
 FixBearingProfile::FixBearingProfile(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   PairBearingHertz::find(lmp, "fix bearing/profile");
-  Arguments args(lmp, std::string("fix ") + id + " bearing/profile", narg, arg, 3);
+  Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   if (!args.more() && narg == 3) args.fail("a profile needs 'notch', 'wave', 'file' or 'none'");
   std::vector<std::string> said;
   settings_ = bearing::ProfileSettings::read(args, FixBearingState::max_grooves, said);
@@ -53,35 +58,27 @@ FixBearingProfile::FixBearingProfile(LAMMPS *lmp, int narg, char **arg) : Fix(lm
 
 int FixBearingProfile::setmask() { return of_balls() && departs() ? FixConst::PRE_FORCE : 0; }
 
-std::vector<FixBearingProfile::FlawedRing> FixBearingProfile::rings(PairBearingHertz &pair) const
+std::vector<FixBearingProfile::Flawed> FixBearingProfile::bodies(PairBearingHertz &pair) const
 {
-  std::vector<FlawedRing> mine;
+  const bearing::PairCoefficients &all = pair.coefficients();
+  std::vector<Flawed> mine;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    if (!pair.coefficients().is_ring(atom->type[i]))
+    if (of_balls() ? !all.is_ball(atom->type[i]) : !all.is_ring(atom->type[i]))
       BRG_ONE(name_of(*this) + ": atom " + std::to_string(atom->tag[i]) + " of group " +
               group->names[igroup] + " is of type " + std::to_string(atom->type[i]) +
-              ", which no pair_coeff names as a ring");
+              ", which no pair_coeff " +
+              (of_balls() ? "puts on a raceway as a ball" : "names as a ring"));
     bool alone = norm(raceway::Vec3::from(atom->omega[i])) > 0.0;
     for (const FixBearingRing *r : bearing::fixes_of<FixBearingRing>(lmp))
       alone = alone && !r->moves(i);
     mine.push_back({atom->tag[i], atom->type[i], alone});
   }
-  return bearing::gather_all(mine, world);
-}
-
-std::vector<FixBearingProfile::FlawedBall> FixBearingProfile::balls(PairBearingHertz &pair) const
-{
-  std::vector<FlawedBall> mine;
-  for (int i = 0; i < atom->nlocal; ++i) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    if (!pair.coefficients().is_ball(atom->type[i]))
-      BRG_ONE(name_of(*this) + ": atom " + std::to_string(atom->tag[i]) + " of group " +
-              group->names[igroup] + " is of type " + std::to_string(atom->type[i]) +
-              ", which no pair_coeff puts on a raceway as a ball");
-    mine.push_back({atom->tag[i], atom->type[i]});
-  }
-  return bearing::gather_all(mine, world);
+  mine = bearing::gather_all(mine, world);
+  if (mine.empty())
+    BRG_ALL(name_of(*this) + ": missing " + (of_balls() ? "ball" : "ring") + ", group " +
+            group->names[igroup] + " is empty");
+  return mine;
 }
 
 // Stops with an error if a ball cannot follow the notch.
@@ -168,10 +165,7 @@ void FixBearingProfile::add_rings(PairBearingHertz &pair,
   std::map<bearing::tag_t, std::map<const RacewayPhysics *, ProfileShape>> sums;
   for (const FixBearingProfile *f : all) {
     if (f->of_balls() || !f->departs()) continue;
-    const std::vector<FlawedRing> rings = f->rings(pair);
-    if (rings.empty())
-      BRG_ALL(name_of(*f) + ": missing ring, group " + group->names[f->igroup] + " is empty");
-    for (const FlawedRing &r : rings) {
+    for (const Flawed &r : f->bodies(pair)) {
       if (r.turns_alone)
         BRG_ALL(name_of(*f) + ": ring " + std::to_string(r.tag) +
                 " spins without a fix bearing/ring, which tracks its angle");
@@ -182,9 +176,9 @@ void FixBearingProfile::add_rings(PairBearingHertz &pair,
         f->check(*p);
         ProfileShape &s = sums[r.tag][p];
         const ProfileShape &own = f->settings_.raceway;
-        s.notches.insert(s.notches.end(), own.notches.begin(), own.notches.end());
-        s.waves.insert(s.waves.end(), own.waves.begin(), own.waves.end());
-        s.tables.insert(s.tables.end(), own.tables.begin(), own.tables.end());
+        append(s.notches, own.notches);
+        append(s.waves, own.waves);
+        append(s.tables, own.tables);
         f->check_pits(r.tag, s, *p);
       }
       if (!found)
@@ -207,22 +201,17 @@ void FixBearingProfile::add_balls(PairBearingHertz &pair,
   std::map<bearing::tag_t, std::map<const RacewayPhysics *, BallShape>> sums;
   for (const FixBearingProfile *f : all) {
     if (!f->of_balls() || !f->departs()) continue;
-    const std::vector<FlawedBall> balls = f->balls(pair);
-    if (balls.empty())
-      BRG_ALL(name_of(*f) + ": missing ball, group " + group->names[f->igroup] + " is empty");
     if (ring_pits && !f->settings_.ball.pits.empty())
       BRG_ALL(name_of(*f) +
               ": a ball with a pit cannot meet a notch of a raceway that has a width; "
               "give the notch the width 'full'");
-    for (const FlawedBall &b : balls)
+    for (const Flawed &b : f->bodies(pair))
       for (const RacewayPhysics *p : pair.coefficients().raceways_under(b.type)) {
         f->check_ball(*p);
         BallShape &s = sums[b.tag][p];
-        s.pits.insert(s.pits.end(), f->settings_.ball.pits.begin(), f->settings_.ball.pits.end());
-        s.waves.insert(s.waves.end(), f->settings_.ball.waves.begin(),
-                       f->settings_.ball.waves.end());
-        s.tables.insert(s.tables.end(), f->settings_.ball.tables.begin(),
-                        f->settings_.ball.tables.end());
+        append(s.pits, f->settings_.ball.pits);
+        append(s.waves, f->settings_.ball.waves);
+        append(s.tables, f->settings_.ball.tables);
         f->check_apart(b.tag, s, p->groove.ball_radius);
       }
   }

@@ -24,21 +24,16 @@ class FixBearingProfile : public Fix {
   void init() override;
   void pre_force(int) override;
 
-  bool departs() const { return settings_.departs(); }    // true if the surfaces deviate from a
-                                                          // torus or sphere
+  bool departs() const { return settings_.departs(); }    // from a torus or sphere
   bool of_balls() const { return settings_.of_balls; }
   const std::string &said() const { return said_; }    // keywords and values of the command
 
-  struct FlawedRing {
+  struct Flawed {
     bearing::tag_t tag;
     int type, turns_alone;    // turns_alone: 1 if it spins and no fix bearing/ring tracks its angle
   };
-  std::vector<FlawedRing> rings(PairBearingHertz &) const;    // rings of the group on all ranks
-  struct FlawedBall {
-    bearing::tag_t tag;
-    int type;
-  };
-  std::vector<FlawedBall> balls(PairBearingHertz &) const;
+  // Returns the balls or rings of the group on all ranks. Stops with an error if there are none.
+  std::vector<Flawed> bodies(PairBearingHertz &) const;
 
  private:
   void add_rings(PairBearingHertz &, const std::vector<FixBearingProfile *> &) const;

@@ -18,14 +18,12 @@ using bearing::DrivenValue;
 // fix ID group bearing/progress N COMPUTE [title WORD] [share V]
 FixBearingProgress::FixBearingProgress(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
-  Arguments args(lmp, std::string("fix ") + id + " bearing/progress", narg, arg, 3);
+  Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   nevery = args.integer("steps between rows", 1, 1000000000);
   total_id_ = args.word("ID of a compute bearing/total");
-  while (args.more()) {
-    if (args.take("title")) title_ = args.word("title");
-    else if (args.take("share")) share_ = DrivenValue::read(args, "share");
-    else args.unknown();
-  }
+  while (args.more())
+    if (args.take("share")) share_ = DrivenValue::read(args, "share");
+    else if (!args.word("title", title_, "title")) args.unknown();
 }
 
 int FixBearingProgress::setmask() { return END_OF_STEP | POST_RUN; }

@@ -46,7 +46,7 @@ static void check_note(const Arguments &args, const char *what, const std::strin
 // [text NAME VALUE]; for NAME VALUE also NAME=VARIABLE ...
 FixBearingRecord::FixBearingRecord(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/record")),
-    command_(std::string("fix ") + id + " bearing/record")
+    command_(bearing::name_of(*this))
 {
   Arguments args(lmp, command_, narg, arg, 3);
   read_rate(args);
@@ -99,21 +99,15 @@ void FixBearingRecord::read_options(Arguments &args)
       if (motion_) continue;
       chosen = true;
       columns_.clear();
-    } else if (args.take("within")) {
-      within_ = args.integer("samples per step", waits() ? 0 : 1, 100000);
-    } else if (waits() && args.take("dumps")) {
-      dumps_ = args.choice("dumps", {"no", "yes"}) == 1;
-    } else if (args.take("single")) {
-      single_ = args.choice("single", {"no", "yes"}) == 1;
-    } else if (args.take("overwrite")) {
-      overwrite_ = args.choice("overwrite", {"no", "yes"}) == 1;
     } else if (args.take("number")) {
       read_notes(args, Note::number);
     } else if (args.take("goal")) {
       read_notes(args, Note::goal);
     } else if (args.take("text")) {
       read_notes(args, Note::text);
-    } else {
+    } else if (!(args.integer("within", within_, "samples per step", waits() ? 0 : 1, 100000) ||
+                 (waits() && args.yes("dumps", dumps_)) || args.yes("single", single_) ||
+                 args.yes("overwrite", overwrite_))) {
       args.unknown("contacts, content, within, single, overwrite, number, goal, text");
     }
   }
@@ -149,8 +143,8 @@ void FixBearingRecord::read_notes(Arguments &args, Note kind)
     }
     check_note(args, what, name);
     if (!of_deck) value = args.word(name);
-    if (kind == Note::text) notes_.push_back(NetcdfHeader::attribute(name, value));
-    else notes_.push_back(NetcdfHeader::attribute(name, args.number_in(value, name)));
+    if (kind == Note::text) notes_.push_back({name, value});
+    else notes_.push_back({name, args.number_in(value, name)});
     notes_.back().changes = kind == Note::goal;
     if (!of_deck) return;
   } while (args.more() && args.next().find('=') != std::string::npos);
@@ -191,7 +185,7 @@ void FixBearingRecord::begin(const bearing::Sampling &sampling)
 {
   nevery = sampling.every;
   within_ = sampling.within;
-  note(NetcdfHeader::attribute("samples_per_pass", a_pass_));
+  note({"samples_per_pass", a_pass_});
   if (dumps_) begin_dumps();
 }
 
@@ -212,8 +206,8 @@ void FixBearingRecord::begin_dumps()
         "bearing_dump rings all " + every + " " + folder_ + "/rings.dat inner append " + resumed})
     input->one(line.c_str());
   char name[] = "b_contact_columns";
-  note(NetcdfHeader::attribute("contact_columns", std::string(input->variable->retrieve(name))));
-  note(NetcdfHeader::attribute("ball_columns", columns));
+  note({"contact_columns", std::string(input->variable->retrieve(name))});
+  note({"ball_columns", columns});
 }
 
 void FixBearingRecord::note(NetcdfHeader::Attribute one, bool changes)
@@ -332,18 +326,14 @@ void FixBearingRecord::open()
 void FixBearingRecord::find_heats()
 {
   heats_.clear();
-  std::vector<int> type(layout_.bearings.size(), 0);    // atom type of each bearing's balls
-  for (const bearing::RecordLayout::RecordBody &b : layout_.balls)
-    if (const int i = atom->map(static_cast<bearing::tag_t>(b.tag)); i >= 0)
-      type[b.bearing] = atom->type[i];
-  MPI_Allreduce(MPI_IN_PLACE, type.data(), static_cast<int>(type.size()), MPI_INT, MPI_MAX, world);
+  const std::vector<int> type = bearing::ball_types(lmp, layout_);
   bool any = false;
   std::vector<FixBearingHeat *> found(type.size(), nullptr);
   for (FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp))
     for (size_t b = 0; b < type.size(); ++b)
       if (!f->idle() && f->covers_type(type[b])) {
         found[b] = f;
-        if (!any) note(NetcdfHeader::attribute("heat_ambient_C", f->ambient()));
+        if (!any) note({"heat_ambient_C", f->ambient()});
         any = true;
       }
   if (any) heats_ = found;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Measures the time and the number of steps spent by a run. The clocks are stopped at the end of
 // the run, and both values are stored in restart files.
+#include "../core/numbers/number_list.h"
 #include "fix_bearing_record.h"
 #include "integrator_work.h"
 #include "record_settings.h"
@@ -9,7 +10,6 @@
 #include <ctime>
 
 using namespace LAMMPS_NS;
-using bearing::NetcdfHeader;
 
 // Returns the processor time used by this process, in s.
 static double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -47,13 +47,12 @@ void FixBearingRecord::post_run()
   refuse_write(why);
   const double time = time_of(last_step_);
   if (done)
-    refuse(bearing::write_run_yaml(
-        folder_, about_,
-        {NetcdfHeader::attribute("step_s", time / std::max(spent_.steps, 1.0)),
-         NetcdfHeader::attribute("evaluations", spent_.evaluations),
-         NetcdfHeader::attribute("processor_s", spent_.processor),
-         NetcdfHeader::attribute("simulated_s", time),
-         NetcdfHeader::attribute("wall_s", spent_.wall)}));
+    refuse(bearing::write_run_yaml(folder_, about_,
+                                   {{"step_s", time / std::max(spent_.steps, 1.0)},
+                                    {"evaluations", spent_.evaluations},
+                                    {"processor_s", spent_.processor},
+                                    {"simulated_s", time},
+                                    {"wall_s", spent_.wall}}));
 }
 
 // Returns the time and steps spent in the current run so far. Must be called on all ranks.
@@ -87,29 +86,14 @@ void FixBearingRecord::write_restart(FILE *fp)
 {
   flush();
   if (file_) refuse(file_->file().settle());
-  const Spent spent = spent_now();
-  const double data[] = {samples_,    first_step_,       start_,
-                         last_step_,  spent.wall,        spent.processor,
-                         spent.steps, spent.evaluations, static_cast<double>(update->ntimestep)};
-  if (comm->me != 0) return;
-  const int size = sizeof data;
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(data, 1, size, fp);
+  bearing::NumberWriter list;
+  list(samples_, first_step_, start_, last_step_, spent_now(), update->ntimestep);
+  if (comm->me == 0) list.write(fp);
 }
 
 void FixBearingRecord::restart(char *buf)
 {
-  double data[9];
-  memcpy(data, buf, sizeof data);
-  samples_ = data[0];
-  first_step_ = data[1];
-  start_ = data[2];
-  last_step_ = data[3];
-  spent_.wall = data[4];
-  spent_.processor = data[5];
-  spent_.steps = data[6];
-  spent_.evaluations = data[7];
-  left_ = data[8];
+  bearing::NumberReader{buf}(samples_, first_step_, start_, last_step_, spent_, left_);
   resumed_ = samples_ > 0.0;
   allowed_ = true;    // the run that wrote the restart file was allowed to overwrite the folder
 }

@@ -36,7 +36,7 @@ void FixBearingRecord::find_integrators()
     for (bearing::tag_t ball : c->find_members()) balls.push_back(ball);
   capacitors_ = bearing::TagSet(balls);
   for (FixBearingImplicit *f : integrators_) {
-    f->want_instants({within_, {}, true}, command_);
+    f->want_instants({within_, {}, true, {}}, command_);
     for (const FixBearingCapacitance *c : fixes) f->want_instants(c->instants(within_), command_);
   }
 }

@@ -2,6 +2,7 @@
 #include "fix_bearing_ring.h"
 
 #include "../core/figures/fix_columns.h"
+#include "../core/numbers/number_list.h"
 #include "../core/settings/arguments.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_state.h"
@@ -118,6 +119,15 @@ std::vector<double> FixBearingRing::imposed_spin()
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i)) of[i] = own.empty() ? all : own[i];
   return of;
+}
+
+double FixBearingRing::constant_spin() const
+{
+  switch (settings_.program.mode[RingProgram::SPIN]) {
+    case Freedom::fixed: return 0.0;
+    case Freedom::speed: return settings_.value[RingProgram::SPIN].constant_value();
+    default: return NAN;
+  }
 }
 
 // Stops with an error if another fix moves a ring of the group.
@@ -241,8 +251,8 @@ void FixBearingRing::find_own_values()
     for (int i = 0; i < atom->nlocal; ++i) {
       if (!moves(i)) continue;
       if (!std::isfinite(all[i]))
-        BRG_ONE(std::string("fix ") + id + " bearing/ring: variable '" + settings_.value[k].name() +
-                "' is " + bearing::text(all[i]) + " for ring atom " + std::to_string(atom->tag[i]));
+        BRG_ONE(bearing::name_of(*this) + ": variable '" + settings_.value[k].name() + "' is " +
+                bearing::text(all[i]) + " for ring atom " + std::to_string(atom->tag[i]));
       per_ring_[i].of[k] = all[i];
     }
   }
@@ -365,15 +375,9 @@ void FixBearingRing::check_jumps()
 
 void FixBearingRing::write_restart(FILE *fp)
 {
-  if (comm->me != 0) return;
-  const int size = sizeof time_ + sizeof imposed_;
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&time_, sizeof time_, 1, fp);
-  fwrite(&imposed_, sizeof imposed_, 1, fp);
+  bearing::NumberWriter list;
+  list(time_, imposed_);
+  if (comm->me == 0) list.write(fp);
 }
 
-void FixBearingRing::restart(char *buf)
-{
-  memcpy(&time_, buf, sizeof time_);
-  memcpy(&imposed_, buf + sizeof time_, sizeof imposed_);
-}
+void FixBearingRing::restart(char *buf) { bearing::NumberReader{buf}(time_, imposed_); }

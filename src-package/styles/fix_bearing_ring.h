@@ -54,6 +54,8 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // Returns the currently imposed spin (rad/s), indexed by local atom. It is NAN for other atoms
   // and if no spin is imposed.
   std::vector<double> imposed_spin();
+  // Returns the imposed spin (rad/s), or NAN if it is free, differs between rings or changes.
+  double constant_spin() const;
   const bearing::StatedLoads &stated_loads() const { return settings_.stated; }
   // Returns true if the imposed loads and motions are constant after the ramp and do not depend on
   // the ring's angle.
@@ -115,8 +117,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   RingProgram at_end(const Values &) const;
   RingProgram at_end(int i) const { return at_end(values(i)); }
   virtual double mass_of_atom() const { return settings_.program.mass; }
-  raceway::Vec3 load_of(const RingProgram &, int i) const;    // force, N; the bearing axis is the
-                                                              // third component
+  raceway::Vec3 load_of(const RingProgram &, int i) const;    // N; third component: axis
   raceway::RingAtom read(int i) const;
   void write(int i, const raceway::RingAtom &);
   // Computes the forces of the supports on a ring (RingProgram::SPIN values, N and N m) if the
@@ -147,14 +148,10 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   struct Imposed {
     double at[RingProgram::N_DOF] = {NAN, NAN, NAN, NAN, NAN, NAN};
     double moved[RingProgram::N_DOF] = {},
-           before[RingProgram::N_DOF] = {};    // imposed values and their changes in the last two
-                                               // steps
+           before[RingProgram::N_DOF] = {};    // imposed values and their last two changes
   } imposed_;
-  // number of values in a restart file
-  static constexpr size_t numbers_kept = 1 + sizeof(Imposed) / sizeof(double);
   Values now_, before_;                 // values of all rings in this step and the previous one
-  std::vector<int> own_;                // indices of the values that are specified separately for
-                                        // each ring
+  std::vector<int> own_;                // values that differ between rings
   std::vector<Values> per_ring_;        // values with these indices, indexed by local atom
   bool called_back_ = false;            // true if the host moves per_ring_ along with the atoms
   bool by_another_ = false;             // true if a fix bearing/implicit integrates these rings

@@ -2,6 +2,7 @@
 #include "fix_bearing_run.h"
 
 #include "../core/figures/fix_columns.h"
+#include "../core/numbers/number_list.h"
 #include "../ranks/gather.h"
 #include "compute_bearing_total.h"
 #include "fix_bearing_cage_ring.h"
@@ -148,34 +149,21 @@ void FixBearingRun::write_restart(FILE *fp)
   State kept = now_;
   if (now_.measures == 0.0 && update->whichflag != 0)
     kept.evaluations += bearing::integrator_work(lmp).evaluations;
-  if (comm->me != 0) return;
-  const size_t past = passes_.size() * sizeof(SettlingSample);
-  const std::vector<double> orbit = orbit_.packed();
-  const double numbers = static_cast<double>(orbit.size());
-  const int size = static_cast<int>(sizeof kept + past + (1 + orbit.size()) * sizeof(double) +
-                                    words_.size() + 1);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&kept, sizeof kept, 1, fp);
-  if (past) fwrite(passes_.data(), 1, past, fp);
-  fwrite(&numbers, sizeof numbers, 1, fp);
-  fwrite(orbit.data(), sizeof(double), orbit.size(), fp);
-  fwrite(words_.c_str(), 1, words_.size() + 1, fp);
+  bearing::NumberWriter list, orbit;
+  orbit_.keep(orbit);
+  list(kept, passes_, orbit.numbers().size(), orbit.numbers());
+  if (comm->me == 0) list.write(fp, words_ + '\0');
 }
 
 void FixBearingRun::restart(char *buf)
 {
-  memcpy(&now_, buf, sizeof now_);
-  buf += sizeof now_;
+  bearing::NumberReader list(buf);
+  list(now_);
   passes_.resize(static_cast<size_t>(now_.passes));
-  if (!passes_.empty()) memcpy(passes_.data(), buf, passes_.size() * sizeof(SettlingSample));
-  buf += passes_.size() * sizeof(SettlingSample);
-  double numbers;
-  memcpy(&numbers, buf, sizeof numbers);
-  buf += sizeof numbers;
-  std::vector<double> orbit(static_cast<size_t>(numbers));
-  memcpy(orbit.data(), buf, orbit.size() * sizeof(double));
-  orbit_.unpack(orbit);
-  const std::string then = buf + orbit.size() * sizeof(double);
+  size_t numbers;
+  list(passes_, numbers);
+  orbit_.keep(list);
+  const std::string then = list.rest();
   if (then != words_)
     BRG_ALL("run_bearing: the restart file belongs to another run: '" + then + "', this one is '" +
             words_ + "'. Remove it, or resume with its settings");

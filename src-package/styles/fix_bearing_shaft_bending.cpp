@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Bending of a flexible shaft, i.e. its modes, their loads and their state.
 #include "../core/figures/fix_columns.h"
+#include "../core/numbers/number_list.h"
 #include "fix_bearing_shaft.h"
 #include "fix_bearing_state.h"
 #include "fixes.h"
@@ -102,31 +103,19 @@ double FixBearingShaft::compute_array(int row, int k)
 // Stores the state of the fix in the same way as fix bearing/ring does, followed by the modes.
 void FixBearingShaft::write_restart(FILE *fp)
 {
-  if (comm->me != 0) return;
-  std::vector<double> all(numbers_kept);
-  memcpy(all.data(), &time_, sizeof time_);
-  memcpy(all.data() + 1, &imposed_, sizeof imposed_);
-  all.push_back(static_cast<double>(bend_.place.size()));
-  all.insert(all.end(), bend_.place.begin(), bend_.place.end());
-  all.insert(all.end(), bend_.rate.begin(), bend_.rate.end());
-  const int size = static_cast<int>(all.size() * sizeof(double));
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(all.data(), sizeof(double), all.size(), fp);
+  bearing::NumberWriter list;
+  list(time_, imposed_, bend_.place.size(), bend_.place, bend_.rate);
+  if (comm->me == 0) list.write(fp);
 }
 
 void FixBearingShaft::restart(char *buf)
 {
-  FixBearingRing::restart(buf);
-  buf += numbers_kept * sizeof(double);
-  double modes;
-  memcpy(&modes, buf, sizeof modes);
-  buf += sizeof modes;
-  const size_t n = bend_.place.size();
-  if (modes != static_cast<double>(n))
-    BRG_ALL(bearing::name_of(*this) + ": the restart file has " + text(modes / 2.0) +
-            " modes of the shaft, but the deck has " + std::to_string(n / 2) +
+  size_t modes;
+  bearing::NumberReader list(buf);
+  list(time_, imposed_, modes);
+  if (modes != bend_.place.size())
+    BRG_ALL(bearing::name_of(*this) + ": the restart file has " + std::to_string(modes / 2) +
+            " modes of the shaft, but the deck has " + std::to_string(bend_.place.size() / 2) +
             (shaft_.of_file ? "" : ", a rigid shaft"));
-  if (n == 0) return;
-  memcpy(bend_.place.data(), buf, n * sizeof(double));
-  memcpy(bend_.rate.data(), buf + n * sizeof(double), n * sizeof(double));
+  list(bend_.place, bend_.rate);
 }

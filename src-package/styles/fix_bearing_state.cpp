@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_state.h"
 
+#include "../core/numbers/number_list.h"
 #include "fixes.h"
 
 #include <algorithm>
@@ -135,59 +136,27 @@ void FixBearingState::set_arrays(int i)
   per_atom_[i].ring.origin = Vec3::from(atom->x[i]);
 }
 
+template <class List> void FixBearingState::keep(List &list, PerAtom &p)
+{
+  list(p.n_grooves);
+  for (int k = 0; k < max_grooves; ++k) list(p.kept_ring[k], p.kept_groove[k], p.kept[k]);
+  list(p.ring.axis, p.ring.origin, p.ring.angle, p.ring.tilt, p.ring.step, p.turn, p.saved,
+       p.saved_step, p.force, p.torque);
+}
+
 int FixBearingState::pack_exchange(int i, double *buf)
 {
-  const PerAtom &p = per_atom_[i];
-  int m = 0;
-  buf[m++] = p.n_grooves;
-  for (int k = 0; k < max_grooves; ++k) {
-    buf[m++] = static_cast<double>(p.kept_ring[k]);
-    buf[m++] = p.kept_groove[k];
-    for (double value : p.kept[k]) buf[m++] = value;
-  }
-  p.ring.axis.to(buf + m);
-  p.ring.origin.to(buf + m + 3);
-  m += 6;
-  buf[m++] = p.ring.angle;
-  buf[m++] = p.ring.tilt[0];
-  buf[m++] = p.ring.tilt[1];
-  buf[m++] = p.ring.step;
-  buf[m++] = p.turn.w;
-  p.turn.v.to(buf + m);
-  m += 3;
-  buf[m++] = p.saved;
-  buf[m++] = p.saved_step;
-  for (int k = 0; k < 3; ++k) buf[m++] = p.force[k];
-  for (int k = 0; k < 3; ++k) buf[m++] = p.torque[k];
-  return m;
+  bearing::NumberWriter list;
+  keep(list, per_atom_[i]);
+  return list.copy_to(buf);
 }
 
 int FixBearingState::unpack_exchange(int i, double *buf)
 {
   hold(i + 1);
-  PerAtom &p = per_atom_[i];
-  int m = 0;
-  p.n_grooves = static_cast<int>(buf[m++]);
-  for (int k = 0; k < max_grooves; ++k) {
-    p.kept_ring[k] = static_cast<bearing::tag_t>(buf[m++]);
-    p.kept_groove[k] = static_cast<int>(buf[m++]);
-    for (double &value : p.kept[k]) value = buf[m++];
-  }
-  p.ring.axis = Vec3::from(buf + m);
-  p.ring.origin = Vec3::from(buf + m + 3);
-  m += 6;
-  p.ring.angle = buf[m++];
-  p.ring.tilt[0] = buf[m++];
-  p.ring.tilt[1] = buf[m++];
-  p.ring.step = buf[m++];
-  p.turn.w = buf[m++];
-  p.turn.v = Vec3::from(buf + m);
-  m += 3;
-  p.saved = buf[m++] != 0.0;
-  p.saved_step = buf[m++];
-  for (int k = 0; k < 3; ++k) p.force[k] = buf[m++];
-  for (int k = 0; k < 3; ++k) p.torque[k] = buf[m++];
-  return m;
+  bearing::NumberReader list(buf);
+  keep(list, per_atom_[i]);
+  return list.count();
 }
 
 int FixBearingState::pack_restart(int i, double *buf)

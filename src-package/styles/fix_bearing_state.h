@@ -45,8 +45,7 @@ class FixBearingState : public Fix {
  public:
   struct PerAtom;
   static constexpr const char *fixed_id = "BEARING_STATE";
-  static constexpr int max_grooves = 4;    // largest number of grooves per ball that have a contact
-                                           // state
+  static constexpr int max_grooves = 4;    // most grooves per ball with a contact state
   static constexpr int room = raceway::most_states;
 
   using RingMotion = bearing::RingMotion;
@@ -114,6 +113,7 @@ class FixBearingState : public Fix {
  private:
   static constexpr int packed_size = 2 + (2 + room) * max_grooves + 10 + 4 + 8;
 
+  template <class List> static void keep(List &, PerAtom &);
   void save_forces();
   void hold(int atoms);    // makes room for the states of as many atoms
 

@@ -3,7 +3,9 @@
 
 #include "../contacts/step_check.h"
 #include "../core/figures/fix_columns.h"
+#include "../core/numbers/number_list.h"
 #include "../core/settings/arguments.h"
+#include "fixes.h"
 #include "pair_bearing_hertz.h"
 #include "simulated_time.h"
 
@@ -20,27 +22,16 @@ static constexpr double shortest_step = 1e-12;    // s
 FixBearingTimestep::FixBearingTimestep(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/timestep"))
 {
-  Arguments args(lmp, std::string("fix ") + id + " bearing/timestep", narg, arg, 3);
+  Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   nevery = args.integer("steps between checks", 1, 1000000000);
-  while (args.more()) {
-    if (args.take("safety")) {
-      safety_ = args.within("safety", 1e-3, 1.0);
-    } else if (args.take("adapt")) {
-      adapt_ = args.choice("adapt", {"no", "yes"}) == 1;
-    } else if (args.take("max")) {
-      largest_ = args.within("largest step (s)", shortest_step, HUGE_VAL);
-    } else if (args.take("exceed")) {
-      exceed_ = args.choice("exceed", {"ignore", "warn", "stop"});
-    } else {
+  while (args.more())
+    if (args.take("exceed")) exceed_ = args.choice("exceed", {"ignore", "warn", "stop"});
+    else if (!args.within("safety", safety_, "safety", 1e-3, 1.0) && !args.yes("adapt", adapt_) &&
+             !args.within("max", largest_, "largest step (s)", shortest_step, HUGE_VAL))
       args.unknown();
-    }
-  }
   time_depend = adapt_ ? 1 : 0;
   restart_global = 1;
-  scalar_flag = vector_flag = 1;
-  size_vector = bearing::of_fix_timestep::N;
-  global_freq = 1;
-  extscalar = extvector = 0;
+  bearing::provide_values(*this, bearing::of_fix_timestep::N);
 }
 
 int FixBearingTimestep::setmask() { return END_OF_STEP; }
@@ -66,16 +57,15 @@ void FixBearingTimestep::check()
     // limit does not include contacts that are about to close
     const double wanted = std::min({safety_ * limit_, 1.2 * update->dt, largest_});
     if (!(wanted >= shortest_step))
-      BRG_ALL(std::string("fix ") + id + " bearing/timestep: " + limit.why() + " allows only " +
-              text(limit_) + " s, less than " + text(shortest_step) +
-              " s; the time would no longer advance");
+      BRG_ALL(bearing::name_of(*this) + ": " + limit.why() + " allows only " + text(limit_) +
+              " s, less than " + text(shortest_step) + " s; the time would no longer advance");
     if (wanted != update->dt) set_step(wanted);
     return;
   }
   if (update->dt <= limit_ || exceed_ == ignore) return;
-  const std::string message = std::string("fix ") + id + " bearing/timestep: step " +
-                              text(update->dt) + " s exceeds what " + limit.why() + " allows, " +
-                              text(limit_) + " s, at step " + std::to_string(update->ntimestep);
+  const std::string message = bearing::name_of(*this) + ": step " + text(update->dt) +
+                              " s exceeds what " + limit.why() + " allows, " + text(limit_) +
+                              " s, at step " + std::to_string(update->ntimestep);
   if (exceed_ == stop) BRG_ALL(message);
   if (!warned_ && comm->me == 0) BRG_WARN(message);
   warned_ = true;
@@ -83,8 +73,7 @@ void FixBearingTimestep::check()
 
 void FixBearingTimestep::set_step(double dt)
 {
-  update->update_time();    // the thermo keyword 'time' must remain continuous with steps of
-                            // varying length
+  update->update_time();    // keeps the thermo keyword 'time' continuous
   update->dt = dt;
   if (force->pair) force->pair->reset_dt();
   for (int i = 0; i < modify->nfix; ++i) modify->fix[i]->reset_dt();
@@ -106,21 +95,15 @@ double FixBearingTimestep::compute_vector(int k)
 
 void FixBearingTimestep::write_restart(FILE *fp)
 {
-  if (comm->me != 0) return;
-  const double data[] = {update->dt, limit_, smallest_limit_};
-  const int size = sizeof data;
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(data, 1, size, fp);
+  bearing::NumberWriter list;
+  list(update->dt, limit_, smallest_limit_);
+  if (comm->me == 0) list.write(fp);
 }
 
 // An adaptive run continues with its last step without checking it again.
 void FixBearingTimestep::restart(char *buf)
 {
   if (!adapt_) return;
-  double data[3];
-  memcpy(data, buf, sizeof data);
-  update->dt = data[0];
-  limit_ = data[1];
-  smallest_limit_ = data[2];
+  bearing::NumberReader{buf}(update->dt, limit_, smallest_limit_);
   goes_on_ = true;
 }

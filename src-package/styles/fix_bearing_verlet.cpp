@@ -13,21 +13,12 @@ using bearing::Arguments;
 FixBearingVerlet::FixBearingVerlet(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
-  const char *const of_implicit[] = {"tolerance", "relative_tolerance", "cage_tolerance",
-                                     "step_error"};
-  while (args.more()) {
-    bool known = false;
-    for (const char *keyword : of_implicit)
-      if (args.take(keyword)) {
-        args.number_of(keyword);
-        known = true;
-      }
-    if (args.take("step_control")) {
-      args.value_of("step_control");
-      known = true;
-    }
-    if (!known) args.unknown();
-  }
+  std::string ignored;
+  while (args.more())
+    if (!(args.variable("tolerance", ignored) || args.variable("relative_tolerance", ignored) ||
+          args.variable("cage_tolerance", ignored) || args.variable("step_error", ignored) ||
+          args.variable("step_control", ignored)))
+      args.unknown();
 }
 
 void FixBearingVerlet::BRG_AFTER_CREATION()

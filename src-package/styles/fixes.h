@@ -23,6 +23,15 @@ inline std::string name_of(const LAMMPS_NS::Fix &fix)
   return std::string("fix ") + fix.id + " " + fix.style;
 }
 
+// Makes a fix provide a scalar and a vector of n values, none of which grows with the system.
+inline void provide_values(LAMMPS_NS::Fix &fix, int n, int every = 1)
+{
+  fix.scalar_flag = fix.vector_flag = 1;
+  fix.size_vector = n;
+  fix.extscalar = fix.extvector = 0;
+  fix.global_freq = every;
+}
+
 // Stops with an error unless the host calls `first` before `second` in every hook that both have.
 // The message ends with `why`.
 inline void require_order(LAMMPS_NS::LAMMPS *lmp, const LAMMPS_NS::Fix &first,

@@ -3,7 +3,6 @@
 
 #include "../core/settings/deck_variable_table.h"
 #include "../core/settings/usual_cage.h"
-#include "../deck/agree.h"
 #include "../deck/given_variables.h"
 #include "derive_laws.h"
 #include "named_bearing.h"
@@ -30,12 +29,8 @@ void NameBearing::command(int narg, char **arg)
     if (args.take("types")) {
       for (int *type : {&b.balls, &b.cage, &b.inner, &b.outer})
         *type = args.integer("atom type", 1, 1000);
-    } else if (args.take("inputs")) {
-      inputs = args.value_of("inputs");
-    } else if (args.take("cage")) {
-      cage = args.value_of("cage");
     } else {
-      bool known = false;
+      bool known = args.variable("inputs", inputs) || args.variable("cage", cage);
       for (const char *key : {"clearance", "contact_angle", "four_point"})
         if (!known && (known = args.take(key))) own[key] = args.value_of(key);
       if (!known) args.unknown();
@@ -104,7 +99,7 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
                      " of the deck: rename it if it has another meaning";
     }
   }
-  complaint = bearing::agree(complaint, world);
+  complaint = bearing::of_first_rank(lmp, complaint);
   if (!complaint.empty()) args.fail(complaint);
 }
 
@@ -169,7 +164,7 @@ void NameBearing::set_variables(const NamedBearing &b)
     input->variable->set(3, words);
   };
   const auto number = [&](const std::string &name, double value) {
-    set(name, DataValues::written(value));
+    set(name, bearing::digits(value));
   };
   for (const bearing::DeckVariable &v : bearing::deck_variables())
     if (v.taken_by("bearing data")) set(v.name, b.word(v.name));

@@ -40,8 +40,7 @@ class OrbitBalls {
  private:
   struct Ball {
     double tag, load;         // load: N, total of both raceways
-    raceway::Vec3 x, v, w;    // relative to the bearing's centre; the bearing axis is the third
-                              // component
+    raceway::Vec3 x, v, w;    // relative to the bearing's centre; third component: axis
     double azimuth() const { return std::atan2(x.y, x.x); }
     double radius() const { return std::hypot(x.x, x.y); }
     raceway::Vec3 place(const raceway::Vec3 &) const;    // radial, tangential and axial components

@@ -77,24 +77,4 @@ void OrbitSearch::judge(const OrbitBalls &balls, const std::vector<double> &end,
   balls.put(now_.passes, next.start);
 }
 
-std::vector<double> OrbitSearch::packed() const
-{
-  std::vector<double> all(sizeof now_ / sizeof(double) + 1 + start_.size());
-  memcpy(all.data(), &now_, sizeof now_);
-  all[sizeof now_ / sizeof(double)] = static_cast<double>(start_.size());
-  std::copy(start_.begin(), start_.end(), all.end() - static_cast<std::ptrdiff_t>(start_.size()));
-  const std::vector<double> map = map_.packed();
-  all.insert(all.end(), map.begin(), map.end());
-  return all;
-}
-
-void OrbitSearch::unpack(const std::vector<double> &all)
-{
-  memcpy(static_cast<void *>(&now_), all.data(), sizeof now_);
-  auto at = all.begin() + sizeof now_ / sizeof(double);
-  const auto n = static_cast<std::ptrdiff_t>(*at++);
-  start_.assign(at, at + n);
-  map_.unpack({at + n, all.end()});
-}
-
 }    // namespace bearing

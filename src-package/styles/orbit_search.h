@@ -54,9 +54,15 @@ class OrbitSearch {
   // starting with the largest.
   std::vector<raceway::Multiplier> multipliers() const { return map_.multipliers(); }
 
-  // Returns all values of the state for a restart file.
-  std::vector<double> packed() const;
-  void unpack(const std::vector<double> &);
+  // Names the values of a restart file.
+  template <class List> void keep(List &list)
+  {
+    size_t n = start_.size();
+    list(now_, n);
+    start_.resize(n);
+    list(start_);
+    map_.keep(list);
+  }
 
  private:
   void judge(const OrbitBalls &, const std::vector<double> &end, const SettlingChanges &,

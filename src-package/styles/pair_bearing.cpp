@@ -6,6 +6,9 @@
 #include "../core/settings/written.h"
 #include "../deck/find_data.h"
 #include "derive_laws.h"
+#include "fix_bearing_cage_ring.h"
+#include "fix_bearing_ring.h"
+#include "fixes.h"
 #include "named_bearing.h"
 #include "print_line.h"
 
@@ -53,17 +56,18 @@ void PairBearing::settings(int narg, char **arg)
     if (args.next() == "axis" || args.next() == "overlap_limit") {
       of_style.push_back(args.word("keyword"));
       of_style.push_back(args.word("value of " + of_style.back()));
-    } else if (args.take("oil")) oil_name_ = args.word("oil of inputs/lubricants, a file, or dry");
-    else if (args.take("temperature")) temperature_ = args.number_of("temperature");
-    else if (args.take("models")) choice_.models = args.word("models");
-    else if (args.take("without")) choice_.without = args.word("parts to leave out");
-    else if (args.take("gap_film")) choice_.gap_film = args.value_of("gap_film");
-    else if (args.take("inlet_shear")) choice_.inlet_shear = args.value_of("inlet_shear");
-    else if (args.take("spin_law")) choice_.spin_law = args.value_of("spin_law");
-    else if (args.take("lubrication")) choice_.lubrication = args.value_of("lubrication");
-    else if (args.take("oil_level")) choice_.oil_level = args.number_of("oil_level");
-    else if (args.take("inputs")) folder_ = args.word("folder of the data files");
-    else more_ += " " + args.word("keyword");
+    } else if (!(args.word("oil", oil_name_, "oil of inputs/lubricants, a file, or dry") ||
+                 args.variable("temperature", temperature_) ||
+                 args.word("models", choice_.models, "models") ||
+                 args.word("without", choice_.without, "parts to leave out") ||
+                 args.variable("gap_film", choice_.gap_film) ||
+                 args.variable("inlet_shear", choice_.inlet_shear) ||
+                 args.variable("spin_law", choice_.spin_law) ||
+                 args.variable("lubrication", choice_.lubrication) ||
+                 args.variable("oil_level", choice_.oil_level) ||
+                 args.word("inputs", folder_, "folder of the data files"))) {
+      more_ += " " + args.word("keyword");
+    }
   }
   if (oil_name_.empty()) args.fail("'oil NAME' is missing; use 'oil dry' for dry contacts");
   const auto &names = bearing::model_names;
@@ -144,13 +148,12 @@ void PairBearing::coeff(int narg, char **arg)
   own.bearing = b.name;
   own.oil = oil_name_;
   own.temperature = temperature_;
-  while (args.more()) {
-    if (args.take("oil")) own.oil = args.word("oil of inputs/lubricants, or a file");
-    else if (args.take("temperature")) own.temperature = args.number_of("temperature");
-    else if (args.take("speed")) own.speed = args.number("speed of the rings (rad/s)");
-    else if (args.take("spheres")) own.printed = args.choice("spheres", {"exact", "printed"}) == 1;
-    else own.law += " " + args.word("keyword");
-  }
+  while (args.more())
+    if (args.take("spheres")) own.printed = args.choice("spheres", {"exact", "printed"}) == 1;
+    else if (args.number("speed", own.speed, "speed of the rings (rad/s)")) own.speed_given = true;
+    else if (!args.word("oil", own.oil, "oil of inputs/lubricants, or a file") &&
+             !args.variable("temperature", own.temperature))
+      own.law += " " + args.word("keyword");
   own.data = read_oil(args, own.oil, own.temperature);
   if ((own.data.at("film") != "dry") != coefficients().lubricated())
     args.fail("oil " + own.oil + " of bearing " + b.name + " and oil " + oil_name_ +
@@ -219,6 +222,56 @@ void PairBearing::resolve(Coeff &of)
   }
 }
 
+// The starvation of a bearing is that at the speed at which its rings turn in this run, which may
+// differ from the speed with which they were created or turned before.
+void PairBearing::init_style()
+{
+  cool();
+  for (Coeff &c : coeffs_) {
+    const NamedBearing *b = bearing::find_bearing(lmp, c.bearing);
+    if (c.speed_given || !b) continue;
+    const double speed = ring_speed(b->inner) - ring_speed(b->outer);
+    if (std::isnan(speed) || std::fabs(speed) == std::fabs(c.speed)) continue;
+    c.speed = speed;
+    resolve(c);
+  }
+  PairBearingHertz::init_style();
+}
+
+// Sets the temperature of every oil to that given in the deck. Fixes that heat bearings set theirs
+// afterwards; a fix may have been deleted since the last run.
+void PairBearing::cool()
+{
+  for (Coeff &c : coeffs_) {
+    if (!c.warm) continue;
+    c.warm = false;
+    c.data = read_oil(Arguments(lmp, "pair_coeff * * " + c.bearing, {}), c.oil, c.temperature);
+    resolve(c);
+    for (FixBearingCageRing *f : bearing::fixes_of<FixBearingCageRing>(lmp))
+      f->set_viscosity(c.bearing, std::atof(c.data.at("viscosity").c_str()));
+  }
+}
+
+// Returns the speed (rad/s) of all rings of this type in the next run. It is NAN if they turn at
+// different speeds, or at a speed that changes.
+double PairBearing::ring_speed(int ring_type) const
+{
+  const std::vector<FixBearingRing *> fixes = bearing::fixes_of<FixBearingRing>(lmp);
+  const raceway::LabAxes axes{coefficients().axis_index()};
+  double range[2] = {HUGE_VAL, HUGE_VAL};    // the least speed, and minus the largest
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (atom->type[i] != ring_type) continue;
+    const auto mover = std::find_if(fixes.begin(), fixes.end(),
+                                    [i](const FixBearingRing *f) { return f->moves(i); });
+    double speed = axes.third(raceway::Vec3::from(atom->omega[i])).z;
+    if (mover != fixes.end()) speed = (*mover)->constant_spin();
+    range[0] = std::min(range[0], std::isnan(speed) ? -HUGE_VAL : speed);
+    range[1] = std::min(range[1], std::isnan(speed) ? -HUGE_VAL : -speed);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, range, 2, MPI_DOUBLE, MPI_MIN, world);
+  return std::isfinite(range[0]) && range[0] == -range[1] ? range[0] : NAN;
+}
+
 void PairBearing::set_speed(const std::string &name, double speed)
 {
   for (Coeff &c : coeffs_)
@@ -268,7 +321,10 @@ bool PairBearing::oil_follows(const std::string &name) const
 void PairBearing::set_oil_temperature(const Arguments &args, const std::string &name, double t)
 {
   for (Coeff &c : coeffs_) {
-    if (c.bearing == name) c.data = read_oil(args, c.oil, t);
+    if (c.bearing == name) {
+      c.data = read_oil(args, c.oil, t);
+      c.warm = true;
+    }
     resolve(c);
   }
   const std::string wrong = coefficients().prepare_again();

@@ -17,6 +17,7 @@ class PairBearing : public PairBearingHertz {
   explicit PairBearing(class LAMMPS *lmp) : PairBearingHertz(lmp, false) {}
   void settings(int, char **) override;
   void coeff(int, char **) override;
+  void init_style() override;
   void write_restart(FILE *) override;
   void read_restart BRG_READ_RESTART_SIG override;
 
@@ -28,7 +29,8 @@ class PairBearing : public PairBearingHertz {
   bool dry_by_choice() const override { return !coefficients().lubricated(); }
 
   // Sets the relative speed (rad/s) of the rings of a named bearing, which determines oil
-  // starvation. Only the first speed that is set for a bearing is used.
+  // starvation. Only the first speed that is set for a bearing is used. If pair_coeff does not give
+  // the speed, it follows the rings from run to run.
   void set_speed(const std::string &bearing, double);
   // Returns a property of the oil of a bearing at its temperature as text, or an empty string if
   // the oil lacks this property.
@@ -57,10 +59,12 @@ class PairBearing : public PairBearingHertz {
     std::string bearing;
     std::string oil;           // name of the oil
     double temperature;        // C
+    bool warm = false;         // true if a fix has set another temperature
     bearing::OilWords data;    // data of the oil
     std::string law;           // further keywords of the raceways
     bool printed = false;      // `spheres printed`, applied to balls and cage balls
     double speed = 0.0;        // rad/s
+    bool speed_given = false;
     size_t first = 0;          // index of the first line of this pair_coeff in commands()
     double oil_share = 0.0;    // fraction of the space around the balls that is filled with oil
   };
@@ -70,6 +74,8 @@ class PairBearing : public PairBearingHertz {
   };
   bearing::OilWords read_oil(const bearing::Arguments &, const std::string &name, double t);
   void resolve(Coeff &);
+  void cool();
+  double ring_speed(int ring_type) const;
 
   std::string oil_name_, more_;    // more_: further keywords
   std::string folder_ = "inputs";

@@ -2,13 +2,14 @@
 #include "record_settings.h"
 
 #include "../core/settings/raceway_version.h"
+#include "../core/settings/written.h"
+#include "../deck/find_data.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_implicit.h"
 #include "fix_bearing_profile.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
 
-#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -23,12 +24,6 @@ namespace bearing {
 
 using Attributes = NetcdfHeader::Attributes;
 
-static bool has(const Attributes &list, const std::string &name)
-{
-  return std::any_of(list.begin(), list.end(),
-                     [&](const NetcdfHeader::Attribute &a) { return a.name == name; });
-}
-
 // Adds the data of the bearing if the record contains only one. The names include units, as in the
 // data files of the decks.
 static void add_bearing(const RecordLayout &layout, Attributes &list)
@@ -37,8 +32,7 @@ static void add_bearing(const RecordLayout &layout, Attributes &list)
       {"", ""}, {"m", "_m"}, {"kg", "_kg"}, {"Pa", "_Pa"}, {"Pa s", "_Pa_s"}, {"1/Pa", "_per_Pa"}};
   const double *of = layout.bearings.front().of;
   const auto add = [&list](const std::string &name, double value) {
-    if (!has(list, name) && !std::isnan(value))
-      list.push_back(NetcdfHeader::attribute(name, value));
+    if (!std::isnan(value)) NetcdfHeader::add_new(list, {name, value});
   };
   for (int k = 0; k < of_kind::N; ++k) {
     const raceway::Column &c = of_kind::list[k];
@@ -53,58 +47,54 @@ static void add_bearing(const RecordLayout &layout, Attributes &list)
 
 std::string flaws_of(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayout &layout)
 {
-  std::map<double, std::string> of;    // flaws of each ring
+  std::map<double, std::string> of_rings;
+  std::vector<std::pair<std::set<double>, const FixBearingProfile *>> of_balls;
   for (const FixBearingProfile *f : fixes_of<FixBearingProfile>(lmp)) {
-    if (f->of_balls() || !f->departs()) continue;
-    for (const FixBearingProfile::FlawedRing &r : f->rings(pair)) {
-      std::string &text = of[static_cast<double>(r.tag)];
-      text += (text.empty() ? "" : "; ") + std::to_string(r.tag) + " " + f->said();
-    }
+    if (!f->departs()) continue;
+    std::set<double> tags;
+    for (const FixBearingProfile::Flawed &body : f->bodies(pair)) tags.insert(double(body.tag));
+    if (f->of_balls()) of_balls.emplace_back(tags, f);
+    else
+      for (const double tag : tags) {
+        std::string &text = of_rings[tag];
+        text += (text.empty() ? "" : "; ") + digits(tag) + " " + f->said();
+      }
   }
-  std::string all;
+  std::vector<std::string> all;
   for (const RecordLayout::RecordRing &r : layout.rings)
-    if (of.count(r.tag)) all += (all.empty() ? "" : "; ") + of[r.tag];
-  for (const FixBearingProfile *f : fixes_of<FixBearingProfile>(lmp)) {
-    if (!f->of_balls() || !f->departs()) continue;
-    std::set<tag_t> tags;
-    for (const FixBearingProfile::FlawedBall &b : f->balls(pair)) tags.insert(b.tag);
+    if (of_rings.count(r.tag)) all.push_back(of_rings[r.tag]);
+  for (const auto &[tags, f] : of_balls)
     for (const RecordLayout::RecordBody &ball : layout.balls)
-      if (const auto tag = static_cast<tag_t>(ball.tag); tags.count(tag))
-        all += (all.empty() ? "" : "; ") + std::to_string(tag) + " " + f->said();
-  }
-  return all;
+      if (tags.count(ball.tag)) all.push_back(digits(ball.tag) + " " + f->said());
+  return joined(all, "; ");
 }
 
 Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayout &layout,
                            const Attributes &notes, const RunTimes &times)
 {
   Attributes list = notes;
-  list.insert(list.begin(), NetcdfHeader::attribute("title", "ball bearing run"));
+  list.insert(list.begin(), {"title", "ball bearing run"});
   const bool implicit = !fixes_of<FixBearingImplicit>(lmp).empty();
-  if (!has(list, "integrator"))
-    list.push_back(NetcdfHeader::attribute("integrator", implicit ? "implicit" : "verlet"));
+  NetcdfHeader::add_new(list, {"integrator", implicit ? "implicit" : "verlet"});
   if (layout.bearings.size() == 1) add_bearing(layout, list);
-  list.push_back(
-      NetcdfHeader::attribute("source", "Raceway " RACEWAY_VERSION ", fix bearing/record"));
-  list.push_back(NetcdfHeader::attribute("host", BRG_HOST_NAME));
-  list.push_back(
-      NetcdfHeader::attribute("axis", std::string(1, "xyz"[pair.coefficients().axis_index()])));
-  list.push_back(NetcdfHeader::attribute("sample_s", times.sample));
-  list.push_back(NetcdfHeader::attribute("start_s", times.start));
+  list.push_back({"source", "Raceway " RACEWAY_VERSION ", fix bearing/record"});
+  list.push_back({"host", BRG_HOST_NAME});
+  list.push_back({"axis", std::string(1, "xyz"[pair.coefficients().axis_index()])});
+  list.push_back({"sample_s", times.sample});
+  list.push_back({"start_s", times.start});
   std::string commands =
       std::string("pair_style bearing/") + (pair.coefficients().lubricated() ? "ehd" : "hertz");
   for (const std::vector<std::string> &words : pair.commands()) {
     if (&words != &pair.commands().front()) commands += "\npair_coeff";
     for (const std::string &w : words) commands += " " + w;
   }
-  list.push_back(NetcdfHeader::attribute("pair_commands", commands));
-  std::string surroundings;    // surroundings of contacts, as they are used in the columns
+  list.push_back({"pair_commands", commands});
+  std::vector<std::string> surroundings;    // of contacts, as they are used in the columns
   for (const FixBearingCapacitance *f : capacitances_of(lmp))
-    if (f->model().surrounded()) surroundings += (surroundings.empty() ? "" : "\n") + f->said();
-  if (!surroundings.empty())
-    list.push_back(NetcdfHeader::attribute("capacitance_commands", surroundings));
+    if (f->model().surrounded()) surroundings.push_back(f->said());
+  if (!surroundings.empty()) list.push_back({"capacitance_commands", joined(surroundings, "\n")});
   const std::string flaws = flaws_of(lmp, pair, layout);
-  if (!flaws.empty()) list.push_back(NetcdfHeader::attribute("flaws", flaws));
+  if (!flaws.empty()) list.push_back({"flaws", flaws});
   return list;
 }
 

@@ -3,7 +3,6 @@
 
 #include "../core/settings/folder_lock.h"
 #include "../core/settings/restart_sum.h"
-#include "../deck/agree.h"
 #include "print_line.h"
 #include "record_settings.h"
 
@@ -28,7 +27,7 @@ void claim_result_folder(LAMMPS *lmp, const Arguments &args, const std::string &
     if (!claim.warning.empty())
       lmp->error->warning(FLERR, BRG_TEXT(args.command() + ": " + claim.warning));
   }
-  claim.complaint = agree(claim.complaint, lmp->world);
+  claim.complaint = of_first_rank(lmp, claim.complaint);
   if (!claim.complaint.empty()) args.fail(claim.complaint);
 }
 
@@ -57,7 +56,7 @@ bool goes_on(LAMMPS *lmp, const Arguments &args, const ResumeRequest &ask)
     complaint = folder + " holds a finished run. Name another folder with -var out, " +
                 (there ? "make it longer with -var resume yes and more passes, " : "") +
                 "or replace it with -var overwrite yes";
-  complaint = agree(complaint, lmp->world);
+  complaint = of_first_rank(lmp, complaint);
   if (!complaint.empty()) args.fail(complaint);
   MPI_Bcast(&there, 1, MPI_INT, 0, lmp->world);
   if (ask.resume)

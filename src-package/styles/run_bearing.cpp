@@ -11,7 +11,6 @@
 #include "fix_bearing_ring.h"
 #include "fix_bearing_timestep.h"
 #include "fixes.h"
-#include "named_bearing.h"
 #include "output.h"
 #include "pair_bearing_hertz.h"
 #include "simulated_time.h"
@@ -21,7 +20,6 @@
 using namespace LAMMPS_NS;
 using bearing::Arguments;
 using bearing::digits;
-using bearing::NetcdfHeader;
 using bearing::text;
 using bearing::written;
 
@@ -34,30 +32,23 @@ void RunBearing::read(Arguments &args)
 {
   Settings &to = settings_;
   bool settles = false;
-  while (args.more()) {
+  while (args.more())
     if (args.take("settle")) {
       to.orbit = args.take("orbit");
       to.automatic = to.orbit || args.take("auto");
+      if (!to.automatic && args.more() && !args.next_is_number())
+        args.fail("settle is '" + args.next() +
+                  "', must be a number of ball passes, auto or orbit");
       if (!to.automatic) to.settle = args.within("ball passes to settle", 0.0, 1e6);
       settles = true;
-    } else if (args.take("passes")) {
-      to.passes = args.number_of("passes");
-    } else if (args.take("step")) {
-      to.step = args.number_of("step");
-    } else if (args.take("safety")) {
-      to.safety = args.number_of("safety");
-    } else if (args.take("settled")) {
-      to.settled = args.number_of("settled");
-    } else if (args.take("limit")) {
-      to.limit = args.integer("ball passes to settle in", 2, 1000000);
-    } else if (args.take("rate")) {
-      to.rate = args.within("samples per second (Hz)", 1e3, 1e8);
-    } else if (args.take("angle")) {
-      to.angle = args.within("contact angle (degrees)", 0.0, 60.0);
-    } else {
-      args.unknown("settle, passes, step, safety, rate, angle, settled, limit");
+    } else if (!(args.variable("passes", to.passes) || args.variable("step", to.step) ||
+                 args.variable("safety", to.safety) ||
+                 args.within("rate", to.rate, "samples per second (Hz)", 1e3, 1e8) ||
+                 args.within("angle", to.angle, "contact angle (degrees)", 0.0, 60.0) ||
+                 args.variable("settled", to.settled) ||
+                 args.integer("limit", to.limit, "ball passes to settle in", 2, 1000000))) {
+      args.unknown();
     }
-  }
   if (!settles)
     args.fail("'settle N', 'settle auto' or 'settle orbit' is missing (ball passes before the "
               "measurement)");
@@ -87,17 +78,16 @@ void RunBearing::command(int narg, char **arg)
       args.fail(bearing::name_of(*f) + " has been measured already: start another record");
   if (output->thermo_every == 0)    // the table of fix bearing/progress shows more
     for (const char *line : {"thermo_style custom step", "thermo_modify lost error flush yes"})
-      input->one(line);
-  input->one(("compute " + total_id + " all bearing/total").c_str());
-  input->one(
-      ("fix " + std::string(FixBearingRun::fixed_id) + " all bearing/run " + words()).c_str());
+      execute(line);
+  execute("compute " + total_id + " all bearing/total");
+  execute("fix " + std::string(FixBearingRun::fixed_id) + " all bearing/run " + words());
   fix_ = bearing::fixes_of<FixBearingRun>(lmp).front();
   if (!fix_->resumed()) plan();
   else if (fix_->orbit().runs()) shorten_ramps();
   if (now().measures == 0.0) settle();
   measure();
-  input->one(("unfix " + std::string(FixBearingRun::fixed_id)).c_str());
-  input->one(("uncompute " + total_id).c_str());
+  execute("unfix " + std::string(FixBearingRun::fixed_id));
+  execute("uncompute " + total_id);
   check_balance();
 }
 
@@ -124,16 +114,12 @@ bool RunBearing::implicit() const { return !bearing::fixes_of<FixBearingImplicit
 // ---- The plan: ball pass, samples and steps. Numbers are rounded in the same way as by formulas
 // in a deck.
 
-// Takes the default values from the scene: the sampling rate of fix bearing/vibration, and the
-// nominal contact angle of named bearings.
+// Takes the default value from the scene: the sampling rate of fix bearing/vibration.
 void RunBearing::take_usual()
 {
   if (settings_.rate == 0.0)
     for (const FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
       settings_.rate = std::max(settings_.rate, f->sampling_rate());
-  if (std::isnan(settings_.angle))
-    for (const bearing::NamedBearing *b : bearing::bearings_of(lmp))
-      if (b->in_use) settings_.angle = b->number("contact_angle") + b->number("four_point");
 }
 
 void RunBearing::plan()
@@ -142,6 +128,7 @@ void RunBearing::plan()
   if (update->ntimestep != 0) begin_at_step_0(now().start);
   now().pass = bearing::ball_pass_time(lmp, command_name, settings_.angle);
   begin_search();
+  for (FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp)) f->go_on();
   double ramp = 0.0;    // s, time after which the full loads act
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp = std::max(ramp, f->ramp());
@@ -223,19 +210,17 @@ bearing::Sampling RunBearing::sampling()
 
 // ---- settling
 
-void RunBearing::set_step(double dt) { input->one(("timestep " + digits(dt)).c_str()); }
+void RunBearing::set_step(double dt) { execute("timestep " + digits(dt)); }
 
 void RunBearing::run(double steps)
 {
-  if (steps > static_cast<double>(update->ntimestep))
-    input->one(("run " + digits(steps) + " upto").c_str());
+  if (steps > static_cast<double>(update->ntimestep)) execute("run " + digits(steps) + " upto");
 }
 
 void RunBearing::show(double rows, const std::string &title, const std::string &more)
 {
-  input->one(("fix " + show_id + " all bearing/progress " + digits(std::max(1.0, rows)) + " " +
-              total_id + " title " + title + more)
-                 .c_str());
+  execute("fix " + show_id + " all bearing/progress " + digits(std::max(1.0, rows)) + " " +
+          total_id + " title " + title + more);
 }
 
 void RunBearing::settle()
@@ -246,7 +231,7 @@ void RunBearing::settle()
     show(std::ceil(now().begin_steps / 5), "Settling");
     choose_steps();
     run(now().begin_steps);
-    input->one(("unfix " + show_id).c_str());
+    execute("unfix " + show_id);
   } else if (now().begin_steps == 0.0) {
     settle_adaptively();
   }
@@ -268,7 +253,7 @@ void RunBearing::settle()
 // In both settling and measurement, steps are counted from 0, but the simulated time is not reset.
 void RunBearing::begin_at_step_0(double time)
 {
-  input->one("reset_timestep 0");
+  execute("reset_timestep 0");
   bearing::SimulatedTime::set(*update, time);
 }
 
@@ -282,20 +267,18 @@ void RunBearing::settle_adaptively()
   // a run that was stopped continues with the last step that it chose (fix bearing/timestep)
   if (!chooses) set_step(settings_.step);
   else if (update->ntimestep == 0) set_step(1e-7);
-  input->one(
-      ("fix " + step_id + " all bearing/timestep " +
-       (chooses ? "20 safety " + digits(settings_.safety) + " adapt yes" : "1000 exceed stop"))
-          .c_str());
-  input->one(("variable " + share_id + " equal " + done + "/" + digits(now().begin)).c_str());
+  execute("fix " + step_id + " all bearing/timestep " +
+          (chooses ? "20 safety " + digits(settings_.safety) + " adapt yes" : "1000 exceed stop"));
+  execute("variable " + share_id + " equal " + done + "/" + digits(now().begin));
   show(chunk, "Settling", " share v_" + share_id);
   while (written(bearing::SimulatedTime::now(*update)) < now().begin) {
     const double at = static_cast<double>(update->ntimestep);
-    input->one(("run " + digits(chunk - std::fmod(at, chunk)) + " post no").c_str());
+    execute("run " + digits(chunk - std::fmod(at, chunk)) + " post no");
   }
   FixBearingTimestep *const step = bearing::fixes_of<FixBearingTimestep>(lmp).back();
   const double limit = step->compute_vector(bearing::of_fix_timestep::SMALLEST);
-  for (const std::string &id : {step_id, show_id}) input->one(("unfix " + id).c_str());
-  input->one(("variable " + share_id + " delete").c_str());
+  for (const std::string &id : {step_id, show_id}) execute("unfix " + id);
+  execute("variable " + share_id + " delete");
   fix_step(chooses ? settings_.safety * written(limit) : settings_.step);
   now().begin_steps = static_cast<double>(update->ntimestep);
   // rounding errors of the time are then the same in a run that has been stopped
@@ -316,7 +299,7 @@ void RunBearing::warm_up()
   while (!still()) {    // in whole ball passes, even if the run was stopped during one
     const double passes =
         std::floor((static_cast<double>(update->ntimestep) - now().begin_steps) / steps) + 1.0;
-    input->one(("run " + digits(now().begin_steps + passes * steps) + " upto post no").c_str());
+    execute("run " + digits(now().begin_steps + passes * steps) + " upto post no");
   }
   if (automatic()) now().begin_steps = static_cast<double>(update->ntimestep);
 }
@@ -333,8 +316,8 @@ void RunBearing::start_fixes()
   for (int k = 0; k < modify->nfix; ++k) {
     if (auto *f = dynamic_cast<FixBearingRecord *>(modify->fix[k]); f && f->waits()) {
       f->set_samples_a_pass(written(now().a_pass));
-      f->note(NetcdfHeader::attribute("passes", settings_.passes), true);
-      f->note(NetcdfHeader::attribute("settling_evaluations", now().evaluations));
+      f->note({"passes", settings_.passes}, true);
+      f->note({"settling_evaluations", now().evaluations});
       note_settling(*f);
     }
     if (auto *f = dynamic_cast<bearing::WaitsForRun *>(modify->fix[k]); f && f->waits())
@@ -360,12 +343,11 @@ void RunBearing::measure()
   if (now().counted != 0.0) fix_->estimate_rest();
   if (update->ntimestep == 0) say_cage_orbit();
   start_fixes();
-  if (!implicit())
-    input->one(("fix " + step_id + " all bearing/timestep 1000 exceed stop").c_str());
+  if (!implicit()) execute("fix " + step_id + " all bearing/timestep 1000 exceed stop");
   show(std::ceil(steps / 20), "Measuring");
-  input->one(("run " + digits(steps) + " upto").c_str());
-  input->one(("unfix " + show_id).c_str());
-  if (!implicit()) input->one(("unfix " + step_id).c_str());
+  execute("run " + digits(steps) + " upto");
+  execute("unfix " + show_id);
+  if (!implicit()) execute("unfix " + step_id);
 }
 
 // Stops with an error if the contacts of a ring do not carry its load on average. In this case, the

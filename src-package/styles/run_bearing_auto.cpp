@@ -42,8 +42,7 @@ void RunBearing::settle_until_still()
     plan_pass();
     choose_steps();
     set_step(now().step_length);
-    input->one(("run " + digits(now().begin_steps + (now().passes + 1.0) * steps) + " upto post no")
-                   .c_str());
+    execute("run " + digits(now().begin_steps + (now().passes + 1.0) * steps) + " upto post no");
     say_pass();
     if (searches) say_search();
   }

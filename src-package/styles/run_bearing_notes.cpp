@@ -7,7 +7,6 @@
 #include <algorithm>
 
 using namespace LAMMPS_NS;
-using bearing::NetcdfHeader;
 using bearing::SettlingChanges;
 
 // The whirl of a cage may grow for a hundred ball passes and more, with hardly any effect on the
@@ -31,20 +30,19 @@ void RunBearing::note_settling(FixBearingRecord &f)
   const SettlingChanges &c = orbit.found() ? now().changes : now().rest;
   if (automatic()) {
     if (settings_.orbit) note_orbit(f);
-    f.note(NetcdfHeader::attribute("settled_passes", now().passes));
-    f.note(NetcdfHeader::attribute("rest_torque", c.torque));
-    f.note(NetcdfHeader::attribute("rest_load", c.load));
-    f.note(NetcdfHeader::attribute("rest_cage_speed", c.cage_speed));
-    f.note(NetcdfHeader::attribute("rest_spin_axis_rad", c.spin_axis));
-    if (fix_->pockets() > 0.0)
-      f.note(NetcdfHeader::attribute("settled_pocket_fall", c.pocket_fall));
+    f.note({"settled_passes", now().passes});
+    f.note({"rest_torque", c.torque});
+    f.note({"rest_load", c.load});
+    f.note({"rest_cage_speed", c.cage_speed});
+    f.note({"rest_spin_axis_rad", c.spin_axis});
+    if (fix_->pockets() > 0.0) f.note({"settled_pocket_fall", c.pocket_fall});
   }
   if (fix_->pockets() > 0.0 && std::isfinite(c.cage_orbit))
-    f.note(NetcdfHeader::attribute("rest_cage_orbit", c.cage_orbit));
+    f.note({"rest_cage_orbit", c.cage_orbit});
   if (orbit.found()) return;    // its ball passes do not follow each other without interruption
   const SettlingChanges w = fix_->wander(std::max(1.0, std::round(settings_.passes)));
   if (!std::isfinite(w.torque)) return;
   // an extended run measures more ball passes, whose means wander less
-  f.note(NetcdfHeader::attribute("wander_torque", w.torque), true);
-  f.note(NetcdfHeader::attribute("wander_cage_speed", w.cage_speed), true);
+  f.note({"wander_torque", w.torque}, true);
+  f.note({"wander_cage_speed", w.cage_speed}, true);
 }

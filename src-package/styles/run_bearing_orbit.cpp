@@ -14,7 +14,6 @@
 
 using namespace LAMMPS_NS;
 using bearing::fixes_of;
-using bearing::NetcdfHeader;
 using bearing::print_line;
 using bearing::text;
 using raceway::Multiplier;
@@ -120,18 +119,18 @@ void RunBearing::say_multipliers()
 void RunBearing::note_orbit(FixBearingRecord &record)
 {
   const bearing::OrbitSearch &orbit = fix_->orbit();
-  record.note(NetcdfHeader::attribute("orbit", orbit.found() ? "found" : "none"));
-  record.note(NetcdfHeader::attribute("orbit_passes", orbit.now().passes));
+  record.note({"orbit", orbit.found() ? "found" : "none"});
+  record.note({"orbit_passes", orbit.now().passes});
   if (!orbit.found()) return;
   const std::vector<Multiplier> all = orbit.multipliers();
   if (all.empty()) return;
-  record.note(NetcdfHeader::attribute("orbit_stability", stability(all.front())));
+  record.note({"orbit_stability", stability(all.front())});
   if (!all.front().known()) {
     const double most = all.front().modulus() + all.front().error;
-    record.note(NetcdfHeader::attribute("orbit_multiplier_limit", most));
+    record.note({"orbit_multiplier_limit", most});
     return;
   }
-  record.note(NetcdfHeader::attribute("orbit_multiplier", all.front().modulus()));
-  record.note(NetcdfHeader::attribute("orbit_multiplier_error", all.front().error));
-  record.note(NetcdfHeader::attribute("orbit_multipliers", written_multipliers(all)));
+  record.note({"orbit_multiplier", all.front().modulus()});
+  record.note({"orbit_multiplier_error", all.front().error});
+  record.note({"orbit_multipliers", written_multipliers(all)});
 }

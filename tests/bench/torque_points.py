@@ -10,6 +10,7 @@ moment includes hysteresis.
 
 import argparse
 import math
+import textwrap
 from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -53,6 +54,7 @@ SHARES, CAGE = ("rolling", "sliding", "drag"), "cage"
 CONFORMITIES = ((0.51, 0.52), (0.515, 0.525), (0.52, 0.53))
 MOST_OFF = 1.5  # largest acceptable factor between shares above LEAST of SKF's torque
 LEAST = 0.1
+WIDTH = 120  # of a line of text on a page
 
 
 def temperature(viscosity):
@@ -192,6 +194,17 @@ these two points are left out:
 """
 
 
+def wrapped(text):
+    """Return `text` with its paragraphs wrapped at WIDTH; headings and tables stay as they are."""
+    blocks = text.split("\n\n")
+    return "\n\n".join(
+        block
+        if block.startswith((".. ", "   ")) or block.endswith(("===", "---"))
+        else textwrap.fill(block, WIDTH, break_long_words=False, break_on_hyphens=False)
+        for block in blocks
+    )
+
+
 def page(found, straight, others, heats):
     lines = []
     for name, (radial, axial, rpm, viscosity), own, skf in found:
@@ -209,7 +222,7 @@ def page(found, straight, others, heats):
         [name, f"{rpm:g}", f"{own:.1f}", f"{carried:.1f}", f"{own / carried:.2f}"]
         for name, (rpm, own, carried) in heats.items()
     ]
-    return "\n".join(
+    text = "\n".join(
         [HEAD, summary(found, straight), "", WHY, *csv_table(header, lines), CONFORMITY,
          *csv_table(("conformities", "points", "geometric mean", "spread", "lowest", "highest",
                      "with a bold contribution"), [others_line(*one) for one in others.items()]),
@@ -220,6 +233,7 @@ def page(found, straight, others, heats):
          " 15312 at 50 K.", "",
          *csv_table(("bearing", "rpm", "own W", "ISO 15312 W", "ratio"), heat_lines)]
     )  # fmt: skip
+    return f"{wrapped(text.rstrip())}\n"
 
 
 def total(torques, names=SHARES):

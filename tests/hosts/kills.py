@@ -23,35 +23,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from host import ENVIRONMENT, OPEN_MPI, QUICK, ROOT, frames  # noqa: E402
+import host  # noqa: E402
+from host import frames  # noqa: E402
 
 FILES = ("record.nc", "contacts.dump", "balls.dump", "rings.dat")
-DECK = ROOT / "inputs" / "in.6208"
+DECK = "inputs/in.6208"
+KEPT = {"passes": 10, "keep": 25, "dumps": "yes"}
 SCENES = (
-    {
-        "lubricant": "mineral",
-        "integrator": "implicit",
-        "passes": 10,
-        "keep": 25,
-        "dumps": "yes",
-        "within": 5,
-    },
-    {
-        "models": "full",
-        "integrator": "implicit",
-        "passes": 10,
-        "keep": 25,
-        "dumps": "yes",
-        "within": 5,
-    },
-    {
-        "lubricant": "dry",
-        "integrator": "verlet",
-        "rpm": 9549,
-        "passes": 10,
-        "keep": 25,
-        "dumps": "yes",
-    },
+    {"lubricant": "mineral", "integrator": "implicit", "within": 5, **KEPT},
+    {"models": "full", "integrator": "implicit", "within": 5, **KEPT},
+    {"lubricant": "dry", "integrator": "verlet", "rpm": 9549, **KEPT},
 )
 
 
@@ -68,33 +49,8 @@ class Story:
 def start(scene, out, *, ranks=1):
     """Run `scene` in a separate session with the output folder `out`, write its screen output to
     out.log, and resume the run if there is a restart file."""
-    command = [
-        str(ROOT / "build" / "liggghts"),
-        "-in",
-        str(DECK),
-        "-log",
-        "none",
-        "-var",
-        "out",
-        str(out),
-        "-var",
-        "resume",
-        "yes",
-    ]
-    for name, value in {**QUICK, **scene}.items():
-        command += ["-var", name, str(value)]
-    if ranks > 1:
-        command = [*OPEN_MPI, str(ranks), *command]
     with open(f"{out}.log", "ab") as log:
-        return subprocess.Popen(
-            command,
-            cwd=ROOT,
-            env=ENVIRONMENT,
-            stdin=subprocess.DEVNULL,
-            stdout=log,
-            stderr=log,
-            start_new_session=True,
-        )
+        return host.start(DECK, out=out, resume="yes", ranks=ranks, output=log, **scene)
 
 
 def run(scene, out):

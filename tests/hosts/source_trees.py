@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Install Raceway in the source tree of a host, and remove it again."""
 
-import subprocess
-
-from host import ROOT
+from host import call
 
 
 def contents(tree):
@@ -22,15 +20,8 @@ class Installer:
 
     def make(self, what, tree):
         """Install or uninstall, and return (exit code, output)."""
-        done = subprocess.run(
-            ["make", "-s", f"{what}-tree", f"{self.host}={tree}"],
-            cwd=ROOT,
-            text=True,
-            check=False,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-        )
-        return done.returncode, done.stdout
+        done = call(["make", "-s", f"{what}-tree", f"{self.host}={tree}"])
+        return done.returncode, done.stdout + done.stderr
 
     def refused(self, tree, says, what="install"):
         """Check that the tree is rejected with a message and left unchanged."""

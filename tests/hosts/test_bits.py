@@ -12,9 +12,10 @@ import math
 import re
 
 import pytest
-from host import frames, succeed
+from host import frames, same_files, succeed
 
 LAST = 400  # steps
+DUMPS = ("contacts.dump", "balls.dump")
 FULL = (
     "gap 1 film_damping branch inlet_shear murch 0.047 0.134 friction mixed 0.12 0.05 heathcote"
     " 1.0e-4 rolling 0.047 0.134 1.0 rolling_hysteresis 0.01 spin 1.0 drag 870 0.1"
@@ -28,11 +29,7 @@ GOTHIC = {
 }
 SCENES = {
     "film, ring free to tilt": {"lubricant": "mineral", "tilt": "free"},
-    "film in the gap, ring free to tilt": {
-        "lubricant": "mineral",
-        "tilt": "free",
-        "law": FULL,
-    },
+    "film in the gap, ring free to tilt": {"lubricant": "mineral", "tilt": "free", "law": FULL},
     "dry, ring not tilting": {"lubricant": "dry", "tilt": "fixed"},
     "four points, ring free to tilt": {"lubricant": "dry", "tilt": "free", **GOTHIC},
     "flaws, housing, ring free to tilt": {
@@ -62,7 +59,7 @@ def scene(request, tmp_path_factory):
 
 def state(folder):
     """Return the last sample for the contacts, the atoms and the ring, with all digits."""
-    return [frames(folder / name)[LAST] for name in ("contacts.dump", "balls.dump")] + [
+    return [frames(folder / name)[LAST] for name in DUMPS] + [
         (folder / "ring.txt").read_text().splitlines()[-1]
     ]
 
@@ -86,10 +83,8 @@ def test_scene_is_worth_comparing(scene):
 def test_ranks(scene, ranks):
     variables, folder = scene
     succeed("tests/hosts/in.bits", ranks=ranks, out=folder / str(ranks), **variables)
-    whole = folder / "whole"
-    for name in ("contacts.dump", "balls.dump"):
-        assert frames(folder / str(ranks) / name) == frames(whole / name)
-    assert (folder / str(ranks) / "ring.txt").read_text() == (whole / "ring.txt").read_text()
+    same_files(folder / str(ranks), folder / "whole", *DUMPS, read=frames)
+    same_files(folder / str(ranks), folder / "whole", "ring.txt")
 
 
 @pytest.mark.parametrize("cuts", ["z", "3x3"])
@@ -104,11 +99,8 @@ def test_cuts(scene, cuts, tmp_path):
     }[cuts]
     succeed("tests/hosts/in.bits", out=tmp_path / "one", **box)
     succeed("tests/hosts/in.bits", ranks=ranks, out=tmp_path / "many", **box, **grid)
-    for name in ("contacts.dump", "balls.dump"):
-        assert frames(tmp_path / "many" / name) == frames(tmp_path / "one" / name)
-    assert (tmp_path / "many" / "ring.txt").read_text() == (
-        tmp_path / "one" / "ring.txt"
-    ).read_text()
+    same_files(tmp_path / "many", tmp_path / "one", *DUMPS, read=frames)
+    same_files(tmp_path / "many", tmp_path / "one", "ring.txt")
 
 
 def test_two_runs_are_one(scene):

@@ -6,12 +6,23 @@ import os
 import resource
 import signal
 import subprocess
-import time
 
 import numpy as np
 import pytest
 import raceway
-from host import ENVIRONMENT, ROOT, deck_file, frames, liggghts, refused, succeed
+from host import (
+    ENVIRONMENT,
+    ROOT,
+    command,
+    deck_file,
+    frames,
+    liggghts,
+    refused,
+    refuses,
+    same_files,
+    succeed,
+    wait_for_file,
+)
 from hosts.kills import start
 from raceway.errors import RunError
 from raceway.runs.tables import RunTables
@@ -20,20 +31,12 @@ SCENE = {"passes": 40, "samples": 100, "keep": 50, "dumps": "yes"}
 FILES = ("contacts.dump", "balls.dump", "rings.dat", "record.nc")
 
 
-def wait_for(path, size=1, patience=60.0):
-    """Wait until `path` contains at least `size` bytes."""
-    end = time.monotonic() + patience
-    while not (path.exists() and path.stat().st_size >= size):
-        assert time.monotonic() < end, f"{path} did not appear"
-        time.sleep(0.005)
-
-
 @pytest.fixture
 def stopped(tmp_path):
     """Return the folder of a run that received SIGTERM during its measurement phase."""
     out = tmp_path / "run"
     process = start(SCENE, out)
-    wait_for(out / "record.nc", 50_000)  # the run is in its measurement phase
+    wait_for_file(out / "record.nc", 50_000)  # the run is in its measurement phase
     process.terminate()
     assert process.wait() == 128 + signal.SIGTERM
     return out
@@ -50,31 +53,23 @@ def test_stopped_run(stopped):
 @pytest.mark.parametrize("name", [signal.SIGINT, signal.SIGUSR1], ids=lambda which: which.name)
 def test_other_signals(tmp_path, name):
     process = start(SCENE, tmp_path / "run")
-    wait_for(tmp_path / "run" / "restart")
+    wait_for_file(tmp_path / "run" / "restart")
     process.send_signal(name)
     assert process.wait() == 128 + name
 
 
 def test_other_settings_are_refused(stopped):
-    failed = liggghts("inputs/in.6208", out=stopped, resume="yes", **{**SCENE, "load": 4000})
-    assert failed.code != 0
-    assert (
-        "belongs to another run" in failed.error
-        and "load 5000" in failed.error
-        and "load 4000" in failed.error
-        and "spin speed" not in failed.error  # the spin speed is the same in both runs
-    )
+    says = "belongs to another run", "load 5000", "load 4000"
+    words = {**SCENE, "load": 4000, "resume": "yes"}
+    failed = refuses("inputs/in.6208", *says, out=stopped, **words)
+    assert "spin speed" not in failed.error  # the spin speed is the same in both runs
 
 
 def test_shortened_file_is_refused(stopped):
     with open(stopped / "contacts.dump", "r+b") as file:
         file.truncate(1000)
-    failed = liggghts("inputs/in.6208", out=stopped, resume="yes", **SCENE)
-    assert failed.code != 0
-    assert (
-        "contacts.dump has 1000 bytes, it had" in failed.error
-        and "start the run anew" in failed.error
-    )
+    says = "contacts.dump has 1000 bytes, it had", "start the run anew"
+    refuses("inputs/in.6208", *says, out=stopped, resume="yes", **SCENE)
 
 
 def test_shortened_record_is_refused(stopped):
@@ -87,14 +82,8 @@ def test_new_run_replaces_an_old_restart_file(stopped):
     """Without `resume`, the run starts from the beginning, and no file of the old run is left."""
     small = {"passes": 1, "samples": 50, "dumps": "yes"}
     succeed("inputs/in.6208", out=stopped, **small)
-    assert sorted(path.name for path in stopped.iterdir()) == [
-        "balls.dump",
-        "contacts.dump",
-        "record.nc",
-        "restart",
-        "rings.dat",
-        "run.yaml",
-    ]
+    left = {path.name for path in stopped.iterdir()}
+    assert left == {*FILES, "restart", "run.yaml"}
     assert len(frames(stopped / "balls.dump")) == 51
 
 
@@ -102,15 +91,14 @@ def test_restart_files_change_no_bit(tmp_path):
     """Writing restart files does not change a single bit of the results."""
     for name, keep in (("without", 0), ("with", 7)):
         succeed("inputs/in.6208", out=tmp_path / name, passes=1, samples=50, keep=keep, dumps="yes")
-    for name in FILES:
-        assert (tmp_path / "with" / name).read_bytes() == (tmp_path / "without" / name).read_bytes()
+    same_files(tmp_path / "with", tmp_path / "without", *FILES)
 
 
 def test_killed_run_opens(tmp_path):
     """All samples written before the kill can be read, and every one of them is complete."""
     out = tmp_path / "run"
     process = start(SCENE, out)
-    wait_for(out / "record.nc", 2_000_000)
+    wait_for_file(out / "record.nc", 2_000_000)
     process.kill()
     process.wait()
     run = raceway.open(out)
@@ -122,22 +110,10 @@ def test_killed_run_opens(tmp_path):
     assert np.array_equal(load, run.bearing["load_inner"]) and float(load.min()) > 1000
 
 
-def limited(out, bytes_of_a_file, *words):
+def limited(out, bytes_of_a_file, **variables):
+    """Run 40 passes with a limit on the size of files, and return the finished process."""
     return subprocess.run(
-        [
-            ROOT / "build" / "liggghts",
-            "-in",
-            "inputs/in.6208",
-            "-log",
-            "none",
-            "-var",
-            "out",
-            out,
-            "-var",
-            "passes",
-            "40",
-            *words,
-        ],
+        command("inputs/in.6208", out=out, passes=40, models=None, settle=None, **variables),
         cwd=ROOT,
         env=ENVIRONMENT,
         text=True,
@@ -153,7 +129,7 @@ def test_file_size_limit(tmp_path):
     done = limited(tmp_path / "record", 12_000_000)  # MPI creates files in blocks of 4 MB
     assert done.returncode != 0
     assert "record.nc: File too large" in done.stdout
-    done = limited(tmp_path / "run", 30_000_000, "-var", "dumps", "yes", "-var", "record", "none")
+    done = limited(tmp_path / "run", 30_000_000, dumps="yes", record="none")
     assert done.returncode != 0
     assert "contacts.dump has stopped growing at step" in done.stdout and "Make room" in done.stdout
 
@@ -161,26 +137,17 @@ def test_file_size_limit(tmp_path):
 def test_full_disk(tmp_path):
     disk = tmp_path / "disk"
     disk.mkdir()
-    if (
-        os.geteuid() != 0
-        or subprocess.run(
-            ["mount", "-t", "tmpfs", "-o", "size=1m", "tmpfs", disk], check=False
-        ).returncode
-        != 0
-    ):
+    mount = ["mount", "-t", "tmpfs", "-o", "size=1m", "tmpfs", disk]
+    if os.geteuid() != 0 or subprocess.run(mount, check=False).returncode != 0:
         pytest.skip("mounting a small disk needs root")
     try:
-        failed = liggghts("inputs/in.6208", out=disk / "run", passes=4, keep=20, dumps="yes")
-        assert failed.code != 0
-        assert "No space left on device" in failed.error
+        words = {"out": disk / "run", "passes": 4, "keep": 20, "dumps": "yes"}
+        refuses("inputs/in.6208", "No space left on device", **words)
         # once space has been freed, the run continues to the end with bitwise identical results
         subprocess.run(["mount", "-o", "remount,size=20m", disk], check=True)
-        succeed("inputs/in.6208", out=disk / "run", passes=4, keep=20, dumps="yes", resume="yes")
+        succeed("inputs/in.6208", resume="yes", **words)
         succeed("inputs/in.6208", out=tmp_path / "reference", passes=4, dumps="yes")
-        for name in FILES:
-            assert (disk / "run" / name).read_bytes() == (
-                tmp_path / "reference" / name
-            ).read_bytes()
+        same_files(disk / "run", tmp_path / "reference", *FILES)
     finally:
         subprocess.run(["umount", disk], check=True)
 
@@ -204,6 +171,4 @@ def test_bad_commands(tmp_path, words, complaint):
         (ROOT / "docs/decks/in.smallest").read_text().rsplit("\nrun", 1)[0]
         + f"\nfix keep all bearing/checkpoint {words}\nrun 10\n",
     )
-    failed = liggghts(deck, cwd=tmp_path)
-    assert failed.code != 0
-    assert "bearing/checkpoint" in failed.error and complaint in failed.error
+    refuses(deck, "bearing/checkpoint", complaint, cwd=tmp_path)

@@ -4,11 +4,9 @@ a run has been stopped and continued. If heat is off, the fix has no effect."""
 
 import re
 import signal
-import subprocess
-import time
 
 import pytest
-from host import ENVIRONMENT, HOSTS, ROOT, succeed
+from host import ROOT, deck_file, start, succeed, wait_for_file
 from scipy.io import netcdf_file
 
 POINT = dict(lubricant="vg46", rpm=1910, heat="yes", warm_time=60, passes=1, seat=3,
@@ -46,12 +44,8 @@ def test_bits(tmp_path, whole, host, ranks):
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_stopped_and_continued(tmp_path, whole, host):
-    words = [w for k, v in {**POINT, "out": tmp_path}.items() for w in ("-var", k, str(v))]
-    command = [HOSTS[host][0], "-in", "inputs/in.6208", "-log", "none", *words]
-    table = tmp_path / "heat.txt"
-    with subprocess.Popen(command, cwd=ROOT, env=ENVIRONMENT, stdout=subprocess.DEVNULL) as one:
-        while one.poll() is None and not (table.exists() and len(table.read_text()) > 800):
-            time.sleep(0.01)
+    with start("inputs/in.6208", host=host, out=tmp_path, **POINT) as one:
+        wait_for_file(tmp_path / "heat.txt", 800)
         one.send_signal(signal.SIGTERM)
     assert (tmp_path / "restart").exists()
     succeed("inputs/in.6208", out=tmp_path, host=host, resume="yes", **POINT)
@@ -68,13 +62,11 @@ def test_velocity_verlet(tmp_path):
 
 def test_off_is_free(tmp_path):
     """If heat is off, the deck writes the same record as a deck without the fix."""
-    deck = tmp_path / "in.none"
     text = (ROOT / "inputs/in.6208").read_text()
     without = re.sub(r"^fix heat (.*&\n)*.*\n", "", text, flags=re.M)
     assert "bearing/heat" in text and "bearing/heat" not in without
-    deck.write_text(without)
-    for name, path in (("off", "inputs/in.6208"), ("none", deck)):
-        succeed(path, out=tmp_path / name, lubricant="vg46", rpm=1910, settle=1, passes=1,
-                models="full")  # fmt: skip
+    words = dict(lubricant="vg46", rpm=1910, settle=1, passes=1, models="full")
+    for name, path in (("off", "inputs/in.6208"), ("none", deck_file(tmp_path, without))):
+        succeed(path, out=tmp_path / name, **words)
     assert differing(tmp_path / "off", tmp_path / "none") == []
     assert values(tmp_path / "off")["jumps"] == ""

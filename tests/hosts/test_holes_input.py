@@ -12,35 +12,6 @@ BEARING = (ROOT / "inputs" / "bearings" / "6208").read_text()
 OF_BEARING = [row["name"] for row in rows() if row["of"] == "bearing data" and not row["default"]]
 MINERAL = (ROOT / "inputs" / "lubricants" / "mineral").read_text()
 
-NUMBERS = {
-    "balls": (1, "9.5", 1e6),
-    "ball_diameter": (12.6, 1e-6, 0, -1),
-    "inner_radius": (24, 1e-6),
-    "outer_radius": (36.6, -1),
-    "inner_groove": (6.552e4, 0),
-    "outer_groove": (1e-6,),
-    "cage_ball_diameter": (8.38, 0),
-    "ball_young": (1, 1e30, -1),
-    "ball_poisson": (0.6, -0.1),
-    "ball_density": (1e9, 0),
-    "inner_mass": (0, 1e9),
-    "inner_inertia": (0,),
-    "inner_inertia_t": (-1,),
-    "viscosity": (1e10, 0),
-    "pressure_viscosity": (1, -1e-9),
-    "permittivity": (-2, 0.5, 1e3),
-    "roughness": (1, 0),
-    "ball_roughness": (1, -1e-9),
-    "load": ("+5000", "0x1388"),
-    "step": (1e-12,),
-}
-
-
-@pytest.mark.parametrize("name, value", [(n, v) for n, values in NUMBERS.items() for v in values])
-def test_every_number_has_a_range(tmp_path, name, value):
-    end = liggghts("inputs/in.6208", out=tmp_path, **{name: value})
-    refused(end, rf"bearing: {name}( \(.+\))? (is \S+, must be |must be a number like)")
-
 
 def inputs(tmp_path, folder, name, text):
     """Return an inputs folder that contains one additional file."""

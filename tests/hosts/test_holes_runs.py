@@ -7,11 +7,10 @@ import os
 import re
 import shutil
 import signal
-import subprocess
-import time
 
 import pytest
-from host import ENVIRONMENT, HOSTS, ROOT, deck_file, liggghts, refused, run, succeed
+from host import HOSTS, ROOT, deck_file, liggghts, refused, run, succeed, wait_for_file
+from host import start as start_deck
 from hosts.kills import start
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
@@ -84,10 +83,7 @@ def test_limits_of_an_implicit_step(tmp_path, words, message):
 def test_a_cage_without_a_coefficient(tmp_path):
     """There is a warning if cage balls pass through the balls because a coefficient is missing, and
     none if there is a coefficient."""
-    for name, text in (
-        ("without", EHD.replace("pair_coeff 1 2 sphere", "#")),
-        ("with", EHD),
-    ):
+    for name, text in (("without", EHD.replace("pair_coeff 1 2 sphere", "#")), ("with", EHD)):
         deck = deck_file(tmp_path, text.replace("run 40000", "run 200\nrun 200"), f"in.{name}")
         end = succeed(deck, out=tmp_path / name)
         warned = end.text.count("cage balls pass through the balls: there is no 'pair_coeff 1 2")
@@ -243,10 +239,7 @@ def stopped(tmp_path_factory):
     a copy of it."""
     out = tmp_path_factory.mktemp("stopped") / "run"
     process = start({"passes": 40, "samples": 100, "keep": 20}, out)
-    end = time.monotonic() + 60
-    while not (out / "restart").exists():
-        assert time.monotonic() < end
-        time.sleep(0.005)
+    wait_for_file(out / "restart")
     process.terminate()
     assert process.wait() == 128 + signal.SIGTERM
     return out
@@ -275,24 +268,10 @@ def test_two_runs_in_one_folder(tmp_path, host):
     """The second run reports which process is writing to the folder, and the first run is not
     affected. When the first process is killed, the folder is free again at once."""
     out = tmp_path / "run"
-    program, _ = HOSTS[host]
-    deck = deck_file(
-        tmp_path, f"bearing_resume {out}/restart resume no\nshell sleep 60\n", "in.waits"
-    )
-    words = [program, "-in", deck, "-log", "none"]
-    first = subprocess.Popen(
-        [str(w) for w in words],
-        cwd=ROOT,
-        env=ENVIRONMENT,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        start_new_session=True,
-    )
+    waits = f"bearing_resume {out}/restart resume no\nshell sleep 60\n"
+    first = start_deck(deck_file(tmp_path, waits, "in.waits"), host=host)
     try:
-        end = time.monotonic() + 60
-        while not ((out / ".writer").exists() and (out / ".writer").read_text()):
-            assert time.monotonic() < end and first.poll() is None
-            time.sleep(0.005)
+        wait_for_file(out / ".writer")
         for resume in ("no", "yes"):
             refused(
                 liggghts("inputs/in.6208", out=out, resume=resume, **SHORT),

@@ -8,7 +8,6 @@ The environment variable RACEWAY_NARROW_LANES selects that code on AVX2 processo
 
 import ctypes
 import os
-import subprocess
 import sys
 
 import host
@@ -20,13 +19,7 @@ LIBRARY = host.ROOT / "build" / "libraceway_physics.so"
 def takes_avx2(**environment):
     """Return whether a process with these environment variables uses AVX2."""
     ask = f"import ctypes; print(ctypes.CDLL({str(LIBRARY)!r}).takes_avx2())"
-    done = subprocess.run(
-        [sys.executable, "-c", ask],
-        env=dict(os.environ, **environment),
-        capture_output=True,
-        text=True,
-        check=True,
-    )
+    done = host.call([sys.executable, "-c", ask], env=dict(os.environ, **environment), check=True)
     return int(done.stdout)
 
 
@@ -54,16 +47,7 @@ def test_same_bits(scene, integrator, step, tmp_path, monkeypatch):
     for name in ("wide", "narrow"):
         if name == "narrow":
             monkeypatch.setitem(host.ENVIRONMENT, "RACEWAY_NARROW_LANES", "1")
-        host.succeed(
-            "inputs/in.6208",
-            out=tmp_path / name,
-            **scene,
-            integrator=integrator,
-            step=step,
-            rpm=4000,
-            passes=1,
-            settle=0.2,
-            samples=50,
-        )
+        host.succeed("inputs/in.6208", out=tmp_path / name, **scene, integrator=integrator,
+                     step=step, rpm=4000, passes=1, settle=0.2, samples=50)  # fmt: skip
         records.append((tmp_path / name / "record.nc").read_bytes())
     assert records[0] == records[1]

@@ -5,14 +5,14 @@ rejected."""
 
 import os
 import shutil
-import subprocess
 
 import pytest
 from debian_tree import TREE, source_entries, unpacked
-from host import frames, succeed
+from host import call, frames, same_files, succeed
 from hosts.source_trees import Installer, contents
 
 TREES = Installer("LIGGGHTS")
+DUMPS = ("contacts.dump", "balls.dump")
 PROGRAM = TREE / "lmp_raceway"
 PATCHED = ("finish.cpp", "utils.h", "dump_mesh_vtk.h", "dump_mesh_vtk.cpp")
 
@@ -136,11 +136,8 @@ def test_main_deck_has_the_same_bits(tmp_path, integrator):
     case = {"integrator": integrator, "rpm": 20000, "passes": 1, "samples": 20, "dumps": "yes"}
     succeed("inputs/in.6208", out=tmp_path / "debian", **case)
     succeed("inputs/in.6208", program=PROGRAM, out=tmp_path / "tree", **case)
-    for name in ("contacts.dump", "balls.dump"):
-        assert frames(tmp_path / "tree" / name) == frames(tmp_path / "debian" / name)
-    assert (tmp_path / "tree" / "rings.dat").read_text() == (
-        tmp_path / "debian" / "rings.dat"
-    ).read_text()
+    same_files(tmp_path / "tree", tmp_path / "debian", *DUMPS, read=frames)
+    same_files(tmp_path / "tree", tmp_path / "debian", "rings.dat")
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
@@ -148,17 +145,13 @@ def test_transient_has_the_same_bits(tmp_path, ranks):
     """With rings that are free to tilt, all digits agree, both on one rank and on two."""
     succeed("tests/hosts/in.bits", out=tmp_path / "debian", tilt="free")
     succeed("tests/hosts/in.bits", program=PROGRAM, ranks=ranks, out=tmp_path / "tree", tilt="free")
-    for name in ("contacts.dump", "balls.dump"):
-        assert frames(tmp_path / "tree" / name) == frames(tmp_path / "debian" / name)
-    assert (tmp_path / "tree" / "ring.txt").read_text() == (
-        tmp_path / "debian" / "ring.txt"
-    ).read_text()
+    same_files(tmp_path / "tree", tmp_path / "debian", *DUMPS, read=frames)
+    same_files(tmp_path / "tree", tmp_path / "debian", "ring.txt")
 
 
 def test_it_is_the_tree_that_ran(tmp_path):
     """The program is built from the tree and does not use Debian's LIGGGHTS library."""
-    libraries = subprocess.run(["ldd", PROGRAM], text=True, capture_output=True, check=True).stdout
-    assert "liggghts" not in libraries
+    assert "liggghts" not in call(["ldd", PROGRAM], check=True).stdout
     assert os.path.islink(PROGRAM)
 
 

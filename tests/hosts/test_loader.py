@@ -1,42 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The styles are available regardless of how LIGGGHTS is started: after `clear`, with LD_PRELOAD,
-in partitions, and from Python."""
+"""The styles are available in stock programs with LD_PRELOAD and from Python."""
 
-import os
-import subprocess
 import sys
 import textwrap
+from pathlib import Path
 
 import pytest
-from host import FORMATS, ROOT, deck_file, frames, succeed
-
-
-def test_clear(tmp_path):
-    """Results for the second bearing in a script, after `clear`, are bitwise identical to those for
-    the first."""
-    deck = deck_file(
-        tmp_path,
-        f"variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
-        f"variable out delete\nvariable out index {tmp_path}/second\ninclude tests/hosts/in.bits\n",
-    )
-    succeed(deck)
-    assert frames(tmp_path / "first" / "balls.dump") == frames(tmp_path / "second" / "balls.dump")
-
-
-def test_partition(tmp_path):
-    """Two partitions run two lubricants at the same time (universe variables), and the results of
-    each partition are bitwise identical to those of a separate run."""
-    deck = deck_file(
-        tmp_path,
-        "variable lubricant universe mineral pao48\nvariable out index"
-        f" {tmp_path}/together/${{lubricant}}\ninclude tests/hosts/in.bits\n",
-    )
-    succeed(deck, ranks=2, extra=("-partition", "2x1", "-screen", "none"))
-    for oil in ("mineral", "pao48"):
-        succeed("tests/hosts/in.bits", lubricant=oil, out=tmp_path / "alone" / oil)
-        assert frames(tmp_path / "together" / oil / "contacts.dump") == frames(
-            tmp_path / "alone" / oil / "contacts.dump"
-        )
+from host import ENVIRONMENT, ROOT, call, frames, same_files, succeed
 
 
 @pytest.mark.parametrize(
@@ -46,31 +16,13 @@ def test_partition(tmp_path):
         ("lmp", "lammps", "libraceway_lammps_2021.so"),
     ],
 )
-def test_preload_into_the_stock_program(program, host, styles, tmp_path):
+def test_preload_into_the_stock_program(program, host, styles, tmp_path, monkeypatch):
     """Debian's programs run decks after the styles have been loaded with LD_PRELOAD."""
-    done = subprocess.run(
-        [
-            f"/usr/bin/{program}",
-            "-in",
-            "tests/hosts/in.bits",
-            "-log",
-            "none",
-            "-var",
-            "out",
-            str(tmp_path),
-            "-var",
-            "dump_format",
-            FORMATS.get(host, "format"),
-        ],
-        cwd=ROOT,
-        text=True,
-        capture_output=True,
-        check=False,
-        env=dict(os.environ, LD_PRELOAD=str(ROOT / "build" / styles)),
-    )
-    assert done.returncode == 0, done.stdout[-2000:] + done.stderr
     succeed("tests/hosts/in.bits", out=tmp_path / "ours")
-    assert frames(tmp_path / "balls.dump") == frames(tmp_path / "ours" / "balls.dump")
+    monkeypatch.setitem(ENVIRONMENT, "LD_PRELOAD", str(ROOT / "build" / styles))
+    stock = Path("/usr/bin") / program
+    succeed("tests/hosts/in.bits", program=stock, host=host, out=tmp_path / "stock")
+    same_files(tmp_path / "ours", tmp_path / "stock", "balls.dump", read=frames)
 
 
 def test_from_python(tmp_path):
@@ -92,18 +44,7 @@ def test_from_python(tmp_path):
         lib.lammps_command(handle, b"run 20")
         lib.lammps_close(handle)
     """)
-    done = subprocess.run(
-        [
-            sys.executable,
-            "-c",
-            script,
-            str(ROOT / "build" / "libraceway_liggghts.so"),
-            str(tmp_path),
-        ],
-        cwd=ROOT,
-        text=True,
-        capture_output=True,
-        check=False,
-    )
+    library = ROOT / "build" / "libraceway_liggghts.so"
+    done = call([sys.executable, "-c", script, library, tmp_path])
     assert done.returncode == 0, done.stdout + done.stderr
     assert max(frames(tmp_path / "balls.dump")) == 420

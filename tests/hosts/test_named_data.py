@@ -7,7 +7,7 @@ import re
 
 import pytest
 import raceway
-from host import ROOT, deck_file, run, succeed
+from host import ROOT, deck_file, succeed
 from raceway import catalogue, inputs
 from raceway.theory import makers
 
@@ -147,20 +147,3 @@ def test_starvation(tmp_path, rpm):
     assert skf.starvation < 0.99
     share = float(words[words.index("rolling") + 3])
     assert share == pytest.approx(float(skf.starvation), rel=1e-14)
-
-
-@pytest.mark.parametrize(
-    "words, says",
-    [
-        ({"lubricant": "mineral", "temperature": 70}, "has values for 40 C only, not for 70 C"),
-        ({"temperature": 250}, "temperature (C) is 250, must be from -40 to 200"),
-        (
-            {"bearing": "7205"},
-            "there is no '7205' in folder inputs/bearings; there is: 6205, 7205A",
-        ),
-    ],
-)
-def test_refused(tmp_path, words, says):
-    deck = deck_file(tmp_path, SCENE)
-    done = run(deck, out=tmp_path / "run", **words)
-    assert done.code != 0 and says in done.error, done.text[-500:]

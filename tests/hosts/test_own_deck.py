@@ -4,7 +4,7 @@ table, and deck variables whose names have another meaning in the package."""
 
 import pytest
 import raceway
-from host import ROOT, deck_file, run, succeed
+from host import ROOT, deck_file, refuses, succeed
 from raceway.cli import main
 
 BEARING = {
@@ -84,19 +84,15 @@ def test_names_of_another_meaning(deck, tmp_path, host):
 def test_names_that_a_command_gets(deck):
     for own, name in ((words({"ramp": "up"}), "ramp"), ("variable load delete\n", "load")):
         more = words({"load": -400}) if name == "load" else ""
-        done = run(deck(own + more))
         says = f"It is variable {name} of the deck: rename it if it has another meaning"
-        assert done.code != 0 and says in done.error, done.text[-800:]
-    done = run(deck(), load=-400)
-    assert done.code != 0 and "rename" not in done.error and "load (N) is -400" in done.error
+        refuses(deck(own + more), says)
+    assert "rename" not in refuses(deck(), "load (N) is -400", load=-400).error
 
 
 def test_data_in_another_format(deck, tmp_path):
     path = deck()
     (tmp_path / "bearing").write_text("balls: 8\nball_diameter: 6.35e-3\n")
-    done = run(path)
-    assert done.code != 0
-    assert "a line of data is 'variable NAME index VALUE', not 'balls: 8'" in done.error
+    refuses(path, "a line of data is 'variable NAME index VALUE', not 'balls: 8'")
 
 
 def test_sweep(deck, tmp_path, monkeypatch):

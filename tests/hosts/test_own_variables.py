@@ -5,7 +5,7 @@ variables that belong to the main deck and its bearing begin with b_."""
 import re
 
 import pytest
-from host import QUICK, ROOT, deck_file, succeed
+from host import QUICK, ROOT, deck_file, same_files, succeed
 
 OWN = """x y z vx vy vz fx fy fz mx my mz n every dt new half omega spin pitch skin wanted now
 format step_length capacitance settings steps row types loaded""".split()
@@ -25,8 +25,7 @@ def test_deck_with_variables_of_its_own(tmp_path, host, integrator):
     assert re.findall(r"^OWN (\w+)$", end.text, re.M) == [f"mine_{name}" for name in OWN]
     plain = tmp_path / "plain"
     succeed("inputs/in.6208", host=host, out=plain, integrator=integrator, **SHORT)
-    for name in ("contacts.dump", "balls.dump", "rings.dat"):
-        assert (plain / name).read_bytes() == (tmp_path / "run" / name).read_bytes()
+    same_files(plain, tmp_path / "run", "contacts.dump", "balls.dump", "rings.dat")
 
 
 def test_prefix():

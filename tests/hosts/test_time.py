@@ -3,7 +3,8 @@
 
 import numpy as np
 import pytest
-from host import BOX, deck_file, run, succeed
+from host import BOX, deck_file, refuses, succeed
+from recorded_runs import small
 from smallest import SMALLEST
 
 STEP = 1e-6
@@ -75,10 +76,8 @@ def test_a_driven_ring_that_jumps(mode, size, mover, tmp_path):
             "thermo 0", "fix move all bearing/implicit\nthermo 0"
         )
     deck.write_text(text)
-    outcome = run(deck)
-    assert outcome.code != 0
-    assert f"fix outer bearing/ring: the position along {mode} jumps by " in outcome.error
-    assert "in step 201, with" in outcome.error
+    says = f"fix outer bearing/ring: the position along {mode} jumps by "
+    refuses(deck, says, "in step 201, with")
     deck.write_text(text.replace(jump, sway + f"+{size}*(time>{start})*(time-{start})/2.0e-4"))
     succeed(deck)  # the same change, applied gradually
 
@@ -91,10 +90,8 @@ def test_a_driven_ring_whose_speed_jumps(mover, tmp_path):
     if mover == "bearing/implicit":
         text = text.replace("fix move balls nve/sphere\n", "fix move all bearing/implicit\n")
     deck.write_text(text.replace(speed, f"{speed}-5*(time>{start})"))
-    outcome = run(deck)
-    assert outcome.code != 0
-    assert "fix inner bearing/ring: the spin speed jumps by 4.99" in outcome.error
-    assert "in step 201, with" in outcome.error
+    says = "fix inner bearing/ring: the spin speed jumps by "
+    refuses(deck, says + "4.99", "in step 201, with")
     deck.write_text(text.replace(speed, f"{speed}-5*(time>{start})*(time-{start})/2.0e-4"))
     succeed(deck)  # the same change, applied gradually
     deck.write_text(text + f"write_restart {tmp_path}/kept\n")
@@ -102,23 +99,14 @@ def test_a_driven_ring_whose_speed_jumps(mover, tmp_path):
     other = text[text.index("group balls") :].replace("50*(1", "60*(1")
     read = f"read_restart {tmp_path}/kept\nneighbor 2.0e-3 bin\nneigh_modify delay 0 every 20\n"
     deck.write_text(READ + read + other)
-    outcome = run(deck)  # the speed changes at the restart
-    assert outcome.code != 0
-    assert "fix inner bearing/ring: the spin speed jumps by 10.5" in outcome.error
+    refuses(deck, says + "10.5")  # the speed changes at the restart
 
 
 @pytest.mark.parametrize("to", [0, 5000])
 def test_a_record_has_no_gap(to, tmp_path):
-    deck = tmp_path / "in.gap"
-    line = f"fix rec all bearing/record 100 {tmp_path}/run\n"
-    deck.write_text(
-        SMALLEST.replace("run 20000", f"run 1000\nreset_timestep {to}\nrun 1000").replace(
-            "compute total", line + "compute total"
-        )
-    )
-    outcome = run(deck)
-    assert outcome.code != 0
-    assert f"fix rec bearing/record: step {to} comes after step 1000" in outcome.error
+    text = SMALLEST.replace("run 20000", f"run 1000\nreset_timestep {to}\nrun 1000")
+    says = f"fix rec bearing/record: step {to} comes after step 1000"
+    refuses(small(tmp_path, deck=text), says)
 
 
 @pytest.mark.parametrize("integrator", ["damping", "vibration"])

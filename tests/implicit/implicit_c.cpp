@@ -209,27 +209,46 @@ EXPORT(void, turn, (double angle, double c[1], double s[1]))
   *s = sine[0];
 }
 
+// A ring that is alone except for a ball that it does not touch.
+struct LoneRing {
+  BearingModel model;
+  RingProgram program;
+  std::vector<BodyPose> bodies = {{{30e-3, 0, 0}, Vec3(), Vec3(), {}}};
+  std::vector<RingPose> rings = std::vector<RingPose>(1);
+
+  LoneRing()
+  {
+    model.bodies.push_back({1, 1.0, 5e-3, true});
+    model.rings.push_back({2, 0, {}});
+    program.mass = 0.5;
+  }
+};
+
+// A 6208 outer raceway without lubricant or damping.
+static RacewayPhysics dry_outer()
+{
+  RacewayPhysics outer = outer_6208(0.0);
+  outer.parts = initial_parts(false);
+  outer.of<HysteresisPart>().alpha_e = 0.0;
+  return outer;
+}
+
 // Computes the state after n steps of a single ring that is free except for its driven spin, under
 // a constant force and moment. If order is 0, only dampers are implicit.
 EXPORT(void, lone_ring,
        (int order, int n, double h, double spin, const double inertia[2], const double moment[3],
         RingEnd *out))
 {
-  BearingModel m;
-  m.bodies.push_back({1, 1.0, 5e-3, true});
-  m.rings.push_back({2, 0, {}});
+  LoneRing alone;
+  auto &[m, p, bodies, rings] = alone;
   BearingIntegrator step(m);
-  RingProgram p;
   for (Freedom &f : p.mode) f = Freedom::free;
   p.mode[RingProgram::SPIN] = Freedom::speed;
-  p.mass = 0.5;
   p.inertia = {inertia[0], inertia[1]};
   p.target[0][RingProgram::SPIN] = p.target[1][RingProgram::SPIN] = spin;
   p.moment[0] = p.moment[1] = Vec3::from(moment);
   p.force[0] = p.force[1] = {1.0, 2.0, 3.0};
   step.set_program(0, p);
-  std::vector<BodyPose> bodies = {{{30e-3, 0, 0}, Vec3(), Vec3(), {}}};
-  std::vector<RingPose> rings(1);
   rings[0].spin = spin;
   step.load(bodies, rings);
   BearingIntegrator::Settings set;
@@ -255,20 +274,14 @@ EXPORT(void, lone_ring,
 EXPORT(double, estimated_errors,
        (int n, double h, double stiffness, double force, double place[2], double velocity[2]))
 {
-  BearingModel m;
-  m.bodies.push_back({1, 1.0, 5e-3, true});
-  m.rings.push_back({2, 0, {}});
+  LoneRing alone;
+  auto &[m, p, bodies, rings] = alone;
   BearingIntegrator step(m);
-  RingProgram p;
   p.mode[2] = Freedom::free;
-  p.mass = 0.5;
   p.force[0] = p.force[1] = {0.0, 0.0, force};
   p.support[2].stiffness = stiffness;
   p.supported = stiffness > 0.0;
   step.set_program(0, p);
-  std::vector<BodyPose> bodies(1);
-  bodies[0].x = {30e-3, 0.0, 0.0};
-  std::vector<RingPose> rings(1);
   rings[0].x.z = place[0];
   rings[0].v.z = velocity[0];
   step.load(bodies, rings);
@@ -290,17 +303,15 @@ EXPORT(double, estimated_errors,
 // 3) N: first with new factors, then twice with the same factors.
 EXPORT(void, old_factors, (double h, double found[9]))
 {
-  BearingModel m;
-  m.bodies.push_back({1, 1.0, 5e-3, true});
-  m.rings.push_back({2, 0, {}});
-  BearingBodies b(m);
+  LoneRing alone;
+  BearingBodies b(alone.model);
   BearingSystem system(b);
   BearingForces forces(b, system);
   RingProgram &p = b.rings[0].program;
+  p = alone.program;
   p.mode[0] = p.mode[1] = p.mode[2] = Freedom::free;
-  p.mass = 0.5;
   p.force[0] = p.force[1] = {1.0, 2.0, 3.0};
-  b.load({{{30e-3, 0, 0}, Vec3(), Vec3(), {}}}, std::vector<RingPose>(1));
+  b.load(alone.bodies, alone.rings);
   RingBody &ring = b.rings[0];
   BodyGroup &g = b.groups[0];
   b.start();
@@ -328,9 +339,7 @@ EXPORT(void, flawed_system,
        (const double notch[4], int of_ball, double off_middle, double overlap, double h,
         double matrix[54], double differences[54], double transposed[18]))
 {
-  RacewayPhysics outer = outer_6208(0.0);
-  outer.parts = initial_parts(false);
-  outer.of<HysteresisPart>().alpha_e = 0.0;
+  RacewayPhysics outer = dry_outer();
   NotchShape shape = {0.7, notch[0], notch[1] > 0.0 ? notch[1] : HUGE_VAL, notch[2], notch[3]};
   const double rolling = outer.rolling_radius(1.0), ellipse = outer.law.radial().a;
   const RacewayProfile profile({{shape}, {{31, 1e-6, 0.2}}, {}}, outer.groove.raceway_radius,
@@ -400,9 +409,7 @@ EXPORT(void, resting,
        (double speed, double gap, double heavy, double newton, double h, int n, double *corrections,
         double *error, double *overlap))
 {
-  RacewayPhysics outer = outer_6208(0.0);
-  outer.parts = initial_parts(false);
-  outer.of<HysteresisPart>().alpha_e = 0.0;
+  RacewayPhysics outer = dry_outer();
   BearingModel model;
   model.bodies = {{1, 8.17e-3, 6.3e-3, true}};
   model.rings = {{2, 0, {}}};

@@ -18,25 +18,9 @@ def lib():
     built = ROOT / "build/obj"
     units = ("tables", "bodies", "geometry", "numbers", "step")
     core = [*sorted(built.glob("core/*/*.o")), *(built / f"units/core_{unit}.o" for unit in units)]
-    subprocess.run(
-        [
-            "g++",
-            "-std=c++17",
-            "-O1",
-            "-DRACEWAY_ONE_TARGET",
-            "-ffp-contract=off",
-            "-Wall",
-            "-Wextra",
-            "-Wno-psabi",
-            "-fPIC",
-            "-shared",
-            str(source),
-            *map(str, core),
-            "-o",
-            str(target),
-        ],
-        check=True,
-    )
+    flags = "-std=c++17 -O1 -DRACEWAY_ONE_TARGET -ffp-contract=off -Wall -Wextra -Wno-psabi"
+    words = ["g++", *flags.split(), "-fPIC", "-shared", source, *core, "-o", target]
+    subprocess.run(words, check=True)
     return Library(target)
 
 

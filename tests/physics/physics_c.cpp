@@ -70,55 +70,25 @@ static RacewayPhysics raceway_from(const RacewayInput &in)
 
 static void put(const FilmPair &f, FilmConstants *out)
 {
-  out->min_lnA = f.min.lnA;
-  out->min_p = f.min.p;
-  out->min_m = f.min.m;
-  out->central_lnA = f.central.lnA;
-  out->central_p = f.central.p;
-  out->central_m = f.central.m;
+  *out = {f.min.lnA, f.min.p, f.min.m, f.central.lnA, f.central.p, f.central.m};
 }
 
 static void put(const RacewayConstants &c, Constants *out)
 {
-  out->K = c.K;
-  out->a = c.a;
-  out->b = c.b;
-  out->p = c.p;
-  out->min_lnA = c.film.min.lnA;
-  out->min_p = c.film.min.p;
-  out->min_m = c.film.min.m;
-  out->central_lnA = c.film.central.lnA;
-  out->central_p = c.film.central.p;
-  out->central_m = c.film.central.m;
-  out->film_damper = c.film_damper;
+  const FilmPair &f = c.film;
+  *out = {c.K,     c.a,           c.b,         c.p,         f.min.lnA,    f.min.p,
+          f.min.m, f.central.lnA, f.central.p, f.central.m, c.film_damper};
 }
 
 static void put(const ContactState &c, State *out)
 {
+  *out = {{},          {},          c.r,          c.z,         c.nu,
+          c.ne,        c.overlap,   c.root,       c.cos_angle, c.overlap_rate,
+          c.load,      c.stiffness, c.damping,    c.normal,    c.entrainment,
+          c.sliding_t, c.sliding_w, c.h_min,      c.lambda,    c.mu,
+          c.kt,        c.ct,        c.friction_t, c.friction_w};
   c.u.to(out->u);
   c.t.to(out->t);
-  out->r = c.r;
-  out->z = c.z;
-  out->nu = c.nu;
-  out->ne = c.ne;
-  out->overlap = c.overlap;
-  out->root = c.root;
-  out->cos_angle = c.cos_angle;
-  out->overlap_rate = c.overlap_rate;
-  out->load = c.load;
-  out->stiffness = c.stiffness;
-  out->damping = c.damping;
-  out->normal = c.normal;
-  out->entrainment = c.entrainment;
-  out->sliding_t = c.sliding_t;
-  out->sliding_w = c.sliding_w;
-  out->h_min = c.h_min;
-  out->lam = c.lambda;
-  out->mu = c.mu;
-  out->kt = c.kt;
-  out->ct = c.ct;
-  out->friction_t = c.friction_t;
-  out->friction_w = c.friction_w;
 }
 
 // Applies one of the functions in exp_log.h and arctangent.h to n numbers, both one by one and four
@@ -178,14 +148,7 @@ EXPORT(void, vec3_algebra, (const double pa[3], const double pb[3], double s, do
 EXPORT(void, hertz, (double Rx, double Ry, double Eprime, double form, Hertz *out))
 {
   const HertzContact h = hertz_contact(Rx, Ry, Eprime, Ellipse(int(form)));
-  out->kappa = h.ellipse.kappa;
-  out->Ebar = h.ellipse.Ebar;
-  out->Fbar = h.ellipse.Fbar;
-  out->R = h.R;
-  out->K = h.K;
-  out->a = h.a;
-  out->b = h.b;
-  out->p = h.p;
+  *out = {h.ellipse.kappa, h.ellipse.Ebar, h.ellipse.Fbar, h.R, h.K, h.a, h.b, h.p};
 }
 
 // ---- film.h
@@ -221,23 +184,16 @@ EXPORT(void, groove_locate,
        (const double d[3], const double e[3], double centre_circle, Place *out))
 {
   const GroovePosition g = locate(Vec3::from(d), Vec3::from(e), centre_circle);
+  *out = {{}, {}, g.r, g.z, g.s, g.nu, g.ne};
   g.u.to(out->u);
   g.t.to(out->t);
-  out->r = g.r;
-  out->z = g.z;
-  out->s = g.s;
-  out->nu = g.nu;
-  out->ne = g.ne;
 }
 
 // ---- damped_hertz.h
 EXPORT(void, cage_contact, (double K, double overlap, double rate, double m, CageContact *out))
 {
   const DampedHertz h = damped_hertz(K, overlap, rate, m);
-  out->stiffness = h.stiffness;
-  out->damping = h.damping;
-  out->growth = h.growth;
-  out->force = h.force;
+  *out = {h.stiffness, h.damping, h.growth, h.force};
 }
 
 // ---- rail.h
@@ -245,9 +201,7 @@ EXPORT(void, rail_seat,
        (double pitch, double ball, double tube, double gap, double sign, RailSeat *out))
 {
   const Rail r = seat_rail(pitch, ball, tube, gap, sign);
-  out->circle = r.circle;
-  out->tube = r.tube;
-  out->offset = r.offset;
+  *out = {r.circle, r.tube, r.offset};
 }
 EXPORT(double, rail_spring, (const RailSeat *rail, double ball, double pitch, double Eprime))
 {
@@ -299,15 +253,12 @@ EXPORT(void, start_rotation,
 
 EXPORT(void, raceway_derived, (const RacewayPhysics *p, Derived *out))
 {
-  out->centre_circle = p->centre_circle;
-  out->slack = p->slack;
-  out->largest_overlap = p->largest_overlap;
-  out->roughness = p->roughness;
-  out->inverse_roughness = p->inverse_roughness;
-  out->floor = p->of<FilmDamperPart>().floor;
-  out->kt_ratio = p->of<TangentialSpringPart>().kt_ratio;
-  out->ct_factor = p->of<TangentialSpringPart>().ct_factor;
-  out->modulus = p->material.Eprime();
+  const auto &spring = p->of<TangentialSpringPart>();
+  *out = {p->centre_circle,     p->slack,
+          p->largest_overlap,   p->roughness,
+          p->inverse_roughness, p->of<FilmDamperPart>().floor,
+          spring.kt_ratio,      spring.ct_factor,
+          p->material.Eprime()};
 }
 EXPORT(void, raceway_exact,
        (const RacewayPhysics *p, double pitch_radius, double cos_angle, Constants *out))

@@ -112,10 +112,7 @@ def test_stiffness_is_hertz_of_the_true_curvatures(physics, tube):
 def test_a_rail_straight_overhead_and_one_at_the_side(physics):
     for rail, curvature in (
         # concave, with the full curvature of the parallel
-        (
-            dict(circle=PITCH + BALL + TUBE, tube=TUBE, offset=0.0),
-            1 / BALL - 1 / (PITCH + BALL),
-        ),
+        (dict(circle=PITCH + BALL + TUBE, tube=TUBE, offset=0.0), 1 / BALL - 1 / (PITCH + BALL)),
         # above the circle, the parallel has no curvature in this plane
         (dict(circle=PITCH, tube=TUBE, offset=BALL + TUBE), 1 / BALL),
     ):

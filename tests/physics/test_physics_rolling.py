@@ -22,9 +22,7 @@ def test_both_rings_together_carry_the_balls_along(physics):
     assert [motion.orbit, motion.spin] == pytest.approx([40, 40], rel=1e-14)
 
 
-def test_frequencies_of_the_6208(
-    physics,
-):  # values as printed in docs/theory, Numbers to reproduce
+def test_frequencies_of_the_6208(physics):  # values as printed in docs/theory, Numbers to reproduce
     motion = physics.rolling(1.0)
     found = [
         motion.orbit,

@@ -54,9 +54,7 @@ def test_closed_forms(physics):
     assert physics.call("largest_step", k=0.0, c=0.0, m=m) == np.inf
 
 
-def test_numbers_of_the_6208(
-    physics,
-):  # values as printed in docs/theory, Numbers to reproduce
+def test_numbers_of_the_6208(physics):  # values as printed in docs/theory, Numbers to reproduce
     assert physics.call("largest_step", k=SPRING, c=0.0, m=BALL_MASS) == pytest.approx(
         8.8e-6, abs=0.05e-6
     )

@@ -126,10 +126,7 @@ def test_film_and_capacitance(physics, name, side, angle, model):
         eps = laws.permittivity(ambient, cpp.p * root)
         p, (a, b) = hertz.pressure(python, STEEL, load), hertz.semi_axes(python, STEEL, load)
         agree(
-            [
-                eps,
-                laws.contact_capacitance(eps, cpp.a * root, cpp.b * root, h_cpp[1]),
-            ],
+            [eps, laws.contact_capacitance(eps, cpp.a * root, cpp.b * root, h_cpp[1])],
             [
                 capacitance.permittivity(ambient, p),
                 capacitance.contact(ambient, p, a, b, h_python[1]),

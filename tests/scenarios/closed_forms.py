@@ -9,16 +9,10 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 
 def bearing_of(settings):
     """Return the bearing that a run with these settings simulates."""
-    return Bearing(
-        int(settings["balls"]),
-        settings["ball_diameter_m"],
-        settings["inner_radius_m"],
-        settings["outer_radius_m"],
-        settings["inner_groove_m"],
-        settings["outer_groove_m"],
-        young=float(settings["ball_young_Pa"]),
-        poisson=float(settings["ball_poisson"]),
-    )
+    return Bearing(int(settings["balls"]), settings["ball_diameter_m"], settings["inner_radius_m"],
+                   settings["outer_radius_m"], settings["inner_groove_m"],
+                   settings["outer_groove_m"], young=float(settings["ball_young_Pa"]),
+                   poisson=float(settings["ball_poisson"]))  # fmt: skip
 
 
 def shaft_speed(settings):
@@ -42,6 +36,18 @@ def equilibrium(run, sample, film=None):
         phase=np.arctan2(now["y"], now["x"]).to_numpy(),
         film=film,
     )
+
+
+def ball_loads(run, samples, sides=(INNER, OUTER)):
+    """Yield (loads in the run, loads in statics) of the nine balls on each raceway in the samples,
+    in N."""
+    for sample in samples:
+        state = equilibrium(run, sample)
+        rows = run.contacts[run.contacts["sample"] == sample]
+        for side in sides:
+            found = rows[rows["raceway"] == side].set_index("ball")["load"]
+            theory = state.inner if side == INNER else state.outer
+            yield found.reindex(range(1, 10)).fillna(0).to_numpy(), theory.load
 
 
 def _all(run):

@@ -61,21 +61,8 @@ variable pe equal c_energy
 def test_totals_are_those_of_the_contacts(run):
     """The values of compute bearing/total, compute bearing/ball and the local rows come from the
     same table; the dumps have 12 digits."""
-    (
-        live,
-        loaded,
-        inner,
-        outer,
-        pressure,
-        thin,
-        lam,
-        orbit,
-        _,
-        sum_inner,
-        max_outer,
-        mean_orbit,
-        *_,
-    ) = run.totals
+    (live, loaded, inner, outer, pressure, thin, lam, orbit, _, sum_inner, max_outer, mean_orbit,
+     *_) = run.totals  # fmt: skip
     by_sample = [rows for _, rows in run.contacts[run.contacts["sample"] > 0].groupby("sample")]
     assert len(by_sample) == len(live) == SAMPLES
     for k, rows in enumerate(by_sample):

@@ -13,12 +13,7 @@ from raceway.recordings.readings import Point, Reading, Readings
 
 # values found in recordings of Case Western Reserve University (docs/measured_bearings)
 CWRU = {one.name: one for one in cwru.setups()}
-TRIED = (
-    "inner 7 mil",
-    "inner 21 mil",
-    "outer 7 mil at 6 o'clock",
-    "outer 7 mil at 3 o'clock",
-)
+TRIED = ("inner 7 mil", "inner 21 mil", "outer 7 mil at 6 o'clock", "outer 7 mil at 3 o'clock")
 THRUST = 30.0  # N, the same in all cases
 
 

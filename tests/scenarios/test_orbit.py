@@ -26,9 +26,7 @@ def evaluations(folder):
 
 
 @pytest.mark.parametrize(
-    "scene, settle, share",
-    [(PRELOAD, 30, 0.2), (THRUST, 200, 0.15)],
-    ids=["preload", "thrust"],
+    "scene, settle, share", [(PRELOAD, 30, 0.2), (THRUST, 200, 0.15)], ids=["preload", "thrust"]
 )
 def test_figures_are_those_of_a_settled_run(scene, settle, share, tmp_path):
     for how in ("orbit", settle):

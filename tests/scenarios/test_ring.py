@@ -116,10 +116,7 @@ def test_driven_degrees_of_freedom(tmp_path):
 
 def test_load_ramp(tmp_path):
     """The load increases as 3 s^2 - 2 s^3, so the momentum after the ramp is half of F T."""
-    (
-        t,
-        *_,
-    ) = rows = motion(
+    (t, *_) = rows = motion(
         tmp_path,
         f"fix inner inner bearing/ring mass {MASS} z free force 0 0 5.0 ramp 1.0e-3\n",
         1000,

@@ -9,7 +9,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from host import ENVIRONMENT, HOSTS, ROOT, liggghts, refused, succeed
+from host import liggghts, refused, start, succeed
 from scipy.io import netcdf_file
 
 DECK = "tests/scenarios/in.run"
@@ -218,17 +218,7 @@ def test_auto_ends_at_its_limit(tmp_path):
 def stop(out, scene, share, deck=DECK):
     """Stop a run when its settling phase has reached `share`, which is given in per cent or as a
     number of ball passes."""
-    command = [HOSTS["liggghts"][0], "-in", deck, "-log", "none", "-var", "out", out]
-    for name, value in scene.items():
-        command += ["-var", name, str(value)]
-    with subprocess.Popen(
-        [str(word) for word in command],
-        cwd=ROOT,
-        env=ENVIRONMENT,
-        text=True,
-        errors="replace",
-        stdout=subprocess.PIPE,
-    ) as process:
+    with start(deck, out=out, output=subprocess.PIPE, **scene) as process:
         for line in process.stdout:
             words = line.split()
             assert "Measuring" not in words, "it was not stopped on the way"
@@ -300,11 +290,9 @@ def test_auto_in_other_hosts(host, tmp_path):
     "scene, message",
     [
         ({"passes": 0}, "passes is 0, must be a whole number from 1 to"),
-        (
-            {"settle": "auto", "more": "settled 2"},
-            "settled is 2, must be from 1e-06 to 1",
-        ),
+        ({"settle": "auto", "more": "settled 2"}, "settled is 2, must be from 1e-06 to 1"),
         ({"settle": -1}, "ball passes to settle is -1, must be from 0 to"),
+        ({"settle": "long"}, "settle is 'long', must be a number of ball passes, auto or orbit"),
         ({"more": "step 1.0"}, r"step \(s\) is 1, must be from 1e-09 to 0.001, or 0"),
         ({"more": "stepp 1"}, "'stepp'; did you mean 'step'"),
         ({"rpm": 0}, "no ring turns, so balls do not pass"),

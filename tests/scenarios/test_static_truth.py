@@ -9,7 +9,7 @@ import pytest
 from host import succeed
 from raceway import clearance as play
 from raceway.runs.tables import RunTables
-from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.bearing import INNER, Bearing
 
 from scenarios import closed_forms
 
@@ -20,24 +20,12 @@ def test_ball_loads_at_every_azimuth(tmp_path):
     about to leave the load zone, where a friction force of 1e-4 of the largest load matters.
     """
     succeed("inputs/in.dry", out=tmp_path)
-    run = RunTables(tmp_path)
-    contacts = run.contacts
     compared = 0
-    for sample in range(0, 201, 2):
-        state = closed_forms.equilibrium(run, sample)
-        rows = contacts[contacts["sample"] == sample]
-        for side, theory in ((INNER, state.inner), (OUTER, state.outer)):
-            found = (
-                rows[rows["raceway"] == side]
-                .set_index("ball")["load"]
-                .reindex(range(1, 10))
-                .fillna(0)
-                .to_numpy()
-            )
-            heavy = theory.load > 0.0125 * theory.load.max()
-            np.testing.assert_allclose(found[heavy], theory.load[heavy], rtol=1e-3)
-            np.testing.assert_allclose(found, theory.load, rtol=0, atol=1e-3 * theory.load.max())
-            compared += heavy.sum()
+    for found, theory in closed_forms.ball_loads(RunTables(tmp_path), range(0, 201, 2)):
+        heavy = theory > 0.0125 * theory.max()
+        np.testing.assert_allclose(found[heavy], theory[heavy], rtol=1e-3)
+        np.testing.assert_allclose(found, theory, rtol=0, atol=1e-3 * theory.max())
+        compared += heavy.sum()
     assert compared > 101 * 2 * 4  # four to five balls carry load
 
 
@@ -48,14 +36,8 @@ def test_ball_loads_with_clearance(tmp_path):
     does not include them."""
     succeed("inputs/in.dry", out=tmp_path, clearance=44.1e-6, rpm=30)
     run = RunTables(tmp_path)
-    contacts = run.contacts
-    for sample in range(0, 201, 2):
-        state = closed_forms.equilibrium(run, sample)
-        rows = contacts[(contacts["sample"] == sample) & (contacts["raceway"] == INNER)]
-        found = rows.set_index("ball")["load"].reindex(range(1, 10)).fillna(0).to_numpy()
-        np.testing.assert_allclose(
-            found, state.inner.load, rtol=0, atol=1e-3 * state.inner.load.max()
-        )
+    for found, theory in closed_forms.ball_loads(run, range(0, 201, 2), [INNER]):
+        np.testing.assert_allclose(found, theory, rtol=0, atol=1e-3 * theory.max())
 
 
 # from table A.1 of the paper

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from host import ROOT, liggghts, succeed
+from host import ROOT, deck_file, refuses, succeed
 
 DECK = "tests/scenarios/in.support"
 MASS, ACROSS = 0.5, 2.5e-4
@@ -113,16 +113,11 @@ def test_momentum(tmp_path):
     ],
 )
 def test_mistakes_are_named(tmp_path, words, says):
-    deck = tmp_path / "in.mistake"
     text = re.sub(r"x free y free.*&\n.*\n", words + "\n", (ROOT / DECK).read_text())
-    deck.write_text(text)
-    failed = liggghts(deck, out=tmp_path / "out")
-    assert failed.code != 0 and "fix outer bearing/ring" in failed.error and says in failed.error
+    refuses(deck_file(tmp_path, text), "fix outer bearing/ring", says, out=tmp_path / "out")
 
 
 def test_gravity_pulls_all_or_none(tmp_path):
-    deck = tmp_path / "in.part"
     text = (ROOT / DECK).read_text().replace("fix weight all", "fix weight moving")
-    deck.write_text(text)
-    failed = liggghts(deck, out=tmp_path / "out", fall=9.81)
-    assert failed.code != 0 and "pulls some atoms of its group, but not all" in failed.error
+    says = "pulls some atoms of its group, but not all"
+    refuses(deck_file(tmp_path, text), says, out=tmp_path / "out", fall=9.81)

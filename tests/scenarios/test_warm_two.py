@@ -4,7 +4,9 @@ thermal clock and do not affect each other's temperatures."""
 
 import numpy as np
 import pytest
-from host import run, succeed
+from host import ROOT, deck_file, refuses, succeed
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
 
 DECK = "tests/scenarios/in.warm_two"
 TEMPERATURES = ["temperature_inner", "temperature_balls", "temperature_outer"]
@@ -49,6 +51,39 @@ def test_one_clock_for_different_loads(tmp_path):
 
 
 def test_different_thermal_times_are_refused(tmp_path):
-    done = run(DECK, out=tmp_path, until_a=10, until_b=20)
-    assert done.code != 0
-    assert "all bearings share one thermal clock" in done.error
+    says = "all bearings share one thermal clock"
+    refuses(DECK, says, out=tmp_path, until_a=10, until_b=20)
+
+
+def own_ambients(folder, **variables):
+    """Run a deck in which bearing b is surrounded by warmer air than bearing a, whose table has the
+    name that summaries read, and return the summary of each bearing."""
+    text = (ROOT / DECK).read_text()
+    ambient = "bearing/heat ambient 45 heat"
+    for old, new in (("/a.txt", "/heat.txt"), ("bearing/heat heat", ambient)):
+        assert old in text
+        text = text.replace(old, new)
+    succeed(deck_file(folder, text), out=folder, until_a=20, until_b=20, **variables)
+    return [summary(RunTables(folder, bearing=number)) for number in (1, 2)]
+
+
+def test_summaries_of_bearings_with_their_own_ambient(tmp_path):
+    """The clearance is that of the warm parts of the bearing, which has the clearance of its data
+    at its own ambient temperature. The table of one bearing does not apply to the other."""
+    first, second = own_ambients(tmp_path)
+    for name, figures in (("heat", first), ("b", second)):
+        table = jumps(tmp_path, name)
+        assert figures["clearance_warm_m"] == pytest.approx(table["clearance"][-1], rel=1e-9)
+        for part in ("inner", "balls", "outer"):
+            warm = table[f"temperature_{part}"][-1]
+            assert figures[f"temperature_{part}_C"] == pytest.approx(warm, rel=1e-9)
+    assert first["heat_booked_J"] == pytest.approx(jumps(tmp_path, "heat")["booked"][-1], rel=1e-9)
+    assert "heat_booked_J" not in second
+
+
+def test_summaries_of_a_bearing_beside_a_heated_one(tmp_path):
+    """A bearing that is not heated has no temperatures, and all its figures are numbers."""
+    first, second = own_ambients(tmp_path, heat_b="no")
+    assert "thermal_time_s" in first
+    assert not {key for key in second if key.startswith(("temperature_i", "clearance_w", "heat"))}
+    assert np.isfinite([value for value in second.values() if isinstance(value, float)]).all()

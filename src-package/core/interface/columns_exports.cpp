@@ -128,7 +128,6 @@ static std::string table_text()
 
 extern "C" const char *columns_json()
 {
-  static const std::string text = table_text();    // created only once, even if there are several
-                                                   // threads
+  static const std::string text = table_text();    // created once
   return text.c_str();
 }

@@ -2,6 +2,7 @@
 // Exports the starting points of Anderson acceleration (fixed_point.h) and the multipliers of a map
 // (multipliers.h).
 #include "../numbers/fixed_point.h"
+#include "../numbers/number_list.h"
 #include "exports.h"
 
 #include <algorithm>
@@ -29,9 +30,11 @@ EXPORT(void, fixed_point,
        (int starts, int n, double reach, const double *x, const double *g, const double *weights,
         double *next, FixedPointNext *out))
 {
-  const FixedPoint map = filled(starts, n, reach, x, g, weights);
-  FixedPoint copy;    // the copy is unpacked in the same way as after a restart
-  copy.unpack(map.packed());
+  FixedPoint map = filled(starts, n, reach, x, g, weights), copy;
+  bearing::NumberWriter kept;    // the copy is made in the same way as after a restart
+  map.keep(kept);
+  bearing::NumberReader list(kept.numbers().data());
+  copy.keep(list);
   const FixedPoint::Next to = map.next();
   std::copy(to.start.begin(), to.start.end(), next);
   *out = {to.residual, to.distance, copy.contraction()};

@@ -10,8 +10,7 @@ namespace raceway {
 template <class T> struct DampedHertzT {
   T stiffness = T();    // N/m, dF/d(overlap) of the spring alone
   T damping = T();      // N s/m
-  T growth = T();       // N/m, derivative of the force with respect to the overlap, including the
-                        // damping force
+  T growth = T();       // N/m, slope of the whole force over the overlap
   T force = T();        // N, >= 0 (no adhesion)
 };
 using DampedHertz = DampedHertzT<double>;

@@ -19,8 +19,7 @@
 
 namespace raceway {
 
-constexpr double power_law_cut = 1.0;    // load (N) below which the film thickness of a power law
-                                         // is constant
+constexpr double power_law_cut = 1.0;    // N, below which a power-law film is constant
 
 template <class T> struct FilmGapT {
   T compression;    // x, m
@@ -40,7 +39,7 @@ RACEWAY_INLINE GapStepT<T> gap_step(const T &r, const T &h, const T &D, const T 
 {
   const T inverse = 1.0 / (r + n * h), s = (D + h - r) * inverse, w = n * h * inverse;
   const T a = -0.5 * (n + 1.0) * w, b = (-1.0 / 3) * (n + 2.0) * a, c = -0.25 * (n + 3.0) * b,
-          a2 = a * a;    // coefficients of e^2, e^3, e^4 divided by the slope
+          a2 = a * a;    // of e^2 and e^3, over the slope, e^4 divided by the slope
   const T fourth = a * (5.0 * a2 - 5.0 * b) + c;
   return {s, s * (1.0 - s * (a - s * ((2.0 * a2 - b) - s * fourth)))};
 }

@@ -132,30 +132,14 @@ class FixedPoint {
     return best;
   }
 
-  // Returns all data as numbers, for a restart file.
-  Vector packed() const
+  // Names all data for a restart file (number_list.h).
+  template <class List> void keep(List &list)
   {
-    Vector all = {double(weights_.size()), double(x_.size()), double(first_)};
-    const auto append = [&all](const Vector &v) { all.insert(all.end(), v.begin(), v.end()); };
-    append(weights_);
-    for (const Vector &x : x_) append(x);
-    for (const Vector &g : g_) append(g);
-    return all;
-  }
-  void unpack(const Vector &all)
-  {
-    const size_t n = static_cast<size_t>(all[0]), starts = static_cast<size_t>(all[1]);
-    first_ = static_cast<size_t>(all[2]);
-    auto at = all.begin() + 3;
-    const auto take = [&at, n] {
-      at += static_cast<std::ptrdiff_t>(n);
-      return Vector(at - static_cast<std::ptrdiff_t>(n), at);
-    };
-    weights_ = take();
-    x_.resize(starts);
-    g_.resize(starts);
-    for (Vector &x : x_) x = take();
-    for (Vector &g : g_) g = take();
+    size_t n = weights_.size(), starts = x_.size();
+    list(n, starts, first_);
+    weights_.resize(n);
+    for (std::vector<Vector> *of : {&x_, &g_}) of->resize(starts, Vector(n));
+    list(weights_, x_, g_);
   }
 
  private:

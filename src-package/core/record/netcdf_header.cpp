@@ -3,6 +3,7 @@
 
 #include "../numbers/checksum.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace bearing {
@@ -94,7 +95,13 @@ void put_netcdf(unsigned char *to, Header::Type type, const double *values, size
 
 static const std::string mark = "sum ", blank_sum = mark + "00000000 of 0000000000 header bytes";
 
-NetcdfHeader::NetcdfHeader() { add(attribute("checksum", blank_sum)); }
+NetcdfHeader::NetcdfHeader() { add({"checksum", blank_sum}); }
+
+void NetcdfHeader::add_new(Attributes &list, const Attribute &one)
+{
+  if (std::none_of(list.begin(), list.end(), [&](const auto &a) { return a.name == one.name; }))
+    list.push_back(one);
+}
 
 int NetcdfHeader::dimension(const std::string &name, size_t length)
 {
@@ -113,10 +120,9 @@ void NetcdfHeader::layout()
   variable({"checksum",
             {0},
             integer,
-            {attribute("units", "1"),
-             attribute(
-                 "long_name",
-                 "checksum of the sample's other values, see src-package/core/numbers/checksum.h")},
+            {{"units", "1"},
+             {"long_name",
+              "checksum of the sample's other values, see src-package/core/numbers/checksum.h"}},
             "",
             {}});
   record_bytes_ = 0;

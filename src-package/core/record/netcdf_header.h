@@ -20,6 +20,11 @@ class NetcdfHeader {
  public:
   enum Type { text = 2, integer = 4, single = 5, real = 6 };
   struct Attribute {
+    Attribute(const std::string &called, const std::string &value) :
+        name(called), type(text), words(value)
+    {
+    }
+    Attribute(const std::string &called, double value) : name(called), type(real), of{value} {}
     std::string name;
     Type type;
     std::string words;         // value if the type is text
@@ -29,9 +34,7 @@ class NetcdfHeader {
   using Attributes = std::vector<Attribute>;
   struct Variable {
     std::string name;
-    std::vector<int>
-        dimensions;    // indices of the dimensions; 0, the record dimension, comes first if there
-                       // is a value per record
+    std::vector<int> dimensions;    // indices; 0 is that of records
     Type type = real;
     Attributes attributes;
     std::string words;         // values of a fixed variable of type text
@@ -43,14 +46,8 @@ class NetcdfHeader {
     bool in_record() const { return !dimensions.empty() && dimensions[0] == 0; }
   };
 
-  static Attribute attribute(const std::string &name, const std::string &words)
-  {
-    return {name, text, words, {}, false};
-  }
-  static Attribute attribute(const std::string &name, double value)
-  {
-    return {name, real, "", {value}, false};
-  }
+  // Adds an attribute unless the list has one of that name.
+  static void add_new(Attributes &, const Attribute &);
 
   // The functions below return the index of the new item. The record dimension comes first and has
   // length 0.

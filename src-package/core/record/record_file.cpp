@@ -12,8 +12,7 @@ using Header = NetcdfHeader;
 
 static Header::Attributes said(const Column &c)
 {
-  return {Header::attribute("units", *c.unit ? c.unit : "1"),
-          Header::attribute("long_name", c.meaning)};
+  return {{"units", *c.unit ? c.unit : "1"}, {"long_name", c.meaning}};
 }
 
 RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
@@ -31,7 +30,7 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
   header_.variable({"raceway",
                     {raceway, letters},
                     Header::text,
-                    {Header::attribute("_Encoding", "utf-8")},
+                    {{"_Encoding", "utf-8"}},
                     one_groove ? "innerouter" : "inner 0inner 1outer 0outer 1",
                     {}});
   finished_ = header_.variable({"finished",

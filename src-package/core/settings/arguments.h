@@ -17,8 +17,7 @@ namespace bearing {
 // headers (arguments_host.cpp). They are collective, so they must be called on all ranks.
 [[noreturn]] void stop_run(LAMMPS_NS::LAMMPS *, const std::string &why);    // with an error message
 bool is_first_rank(LAMMPS_NS::LAMMPS *);
-std::string of_first_rank(LAMMPS_NS::LAMMPS *, const std::string &);    // returns the string of the
-                                                                        // first rank on all ranks
+std::string of_first_rank(LAMMPS_NS::LAMMPS *, const std::string &);    // of the first rank
 std::optional<std::string> host_variable(LAMMPS_NS::LAMMPS *, const std::string &name);
 
 // Returns a number as a user would write it ("6.3e-3"), for use in messages.
@@ -37,8 +36,7 @@ class Arguments {
   size_t left() const { return words_.size() - next_; }
   bool take(const char *keyword);    // true if `keyword` is the next word, which is then consumed
   bool next_is_number() const;
-  const std::string &next() const { return words_[next_]; }    // the word is not consumed and must
-                                                               // exist
+  const std::string &next() const { return words_[next_]; }    // not consumed; must exist
   std::vector<std::string> rest() const { return {words_.begin() + next_, words_.end()}; }
   std::string word(const std::string &what);    // next word; it is an error if there is none
   double number(const std::string &what);
@@ -52,6 +50,38 @@ class Arguments {
   std::string value_of(const char *variable);
   double number_of(const char *variable);
   int choice(const std::string &what, const std::vector<std::string> &allowed);
+  // Options: each of these reads `keyword` and its value if that keyword is the next word, and
+  // returns whether it is.
+  bool word(const char *keyword, std::string &to, const std::string &what)
+  {
+    return take(keyword) && set(to, word(what));
+  }
+  bool number(const char *keyword, double &to, const std::string &what)
+  {
+    return take(keyword) && set(to, number(what));
+  }
+  bool positive(const char *keyword, double &to, const std::string &what)
+  {
+    return take(keyword) && set(to, positive(what));
+  }
+  bool non_negative(const char *keyword, double &to, const std::string &what)
+  {
+    return take(keyword) && set(to, non_negative(what));
+  }
+  bool within(const char *keyword, double &to, const std::string &what, double lo, double hi)
+  {
+    return take(keyword) && set(to, within(what, lo, hi));
+  }
+  bool integer(const char *keyword, int &to, const std::string &what, int lo, int hi)
+  {
+    return take(keyword) && set(to, integer(what, lo, hi));
+  }
+  bool yes(const char *keyword, bool &to)    // `keyword yes` or `keyword no`
+  {
+    return take(keyword) && set(to, choice(keyword, {"no", "yes"}) == 1);
+  }
+  bool variable(const char *name, double &to) { return take(name) && set(to, number_of(name)); }
+  bool variable(const char *name, std::string &to) { return take(name) && set(to, value_of(name)); }
   void skip_rest() { next_ = words_.size(); }
   // Stops with an error: the next word is none of the keywords that take() has looked for there, or
   // none of the `allowed` ones.
@@ -71,6 +101,11 @@ class Arguments {
   size_t asked_at_ = 0;    // index of that word
 
   void take_variables();
+  template <class T> static bool set(T &to, const T &value)
+  {
+    to = value;
+    return true;
+  }
 };
 
 }    // namespace bearing

@@ -22,59 +22,47 @@ void CageSettings::read_guide(Arguments &args)
 
 void CageSettings::read(Arguments &args)
 {
-  double inertia[2] = {0.0, 0.0}, across = -1.0, play = -1.0;
+  double across = -1.0, play = -1.0;
   bool planar = false, shaped = false;
   while (args.more()) {
-    if (args.take("pockets")) of.pockets = args.integer("number of pockets", 1, 100000);
-    else if (args.take("play")) play = args.non_negative("play along the pitch circle (m)");
-    else if (args.take("across")) across = args.non_negative("play along the axis (m)");
-    else if (args.take("shape")) {
+    if (args.integer("pockets", of.pockets, "number of pockets", 1, 100000) ||
+        args.non_negative("play", play, "play along the pitch circle (m)") ||
+        args.non_negative("across", across, "play along the axis (m)") ||
+        args.number("phase", of.phase, "azimuth of the first pocket (rad)") ||
+        args.positive("mass", of.mass, "mass (kg)") ||
+        args.positive("wall", of.wall, "stiffness of the walls of a pocket (N/m)") ||
+        args.within("friction", of.friction, "friction of ball and cage", 0.0, 1.0) ||
+        args.non_negative("film", film_height, "height of a pocket's squeeze film (m)") ||
+        args.within("land_oil", land_filled, "share of the land's gap with oil", 0.0, 1.0) ||
+        args.yes("planar", planar))
+      continue;
+    if (args.take("shape")) {
       of.spherical = args.choice("shape", {"cylinder", "sphere"}) == 1;
       shaped = true;
-    } else if (args.take("phase")) of.phase = args.number("azimuth of the first pocket (rad)");
-    else if (args.take("mass")) of.mass = args.positive("mass (kg)");
-    else if (args.take("inertia")) {
-      inertia[0] = args.positive("inertia about the axis (kg m^2)");
-      inertia[1] = args.positive("inertia across the axis (kg m^2)");
-      if (inertia[0] > 2.0 * inertia[1])
-        args.fail("inertia " + text(inertia[0]) + " " + text(inertia[1]) +
-                  ": no body has more than twice as much about its axis as across it");
-    } else if (args.take("wall")) {
-      of.wall = args.positive("stiffness of the walls of a pocket (N/m)");
-    } else if (args.take("young")) {
-      young[0] = args.within("Young's modulus of the balls (Pa)", raceway::LEAST_YOUNG,
-                             raceway::LARGEST_YOUNG);
+    } else if (args.take("inertia")) {
+      program.inertia = read_inertia(args);
+    } else if (args.within("young", young[0], "Young's modulus of the balls (Pa)",
+                           raceway::LEAST_YOUNG, raceway::LARGEST_YOUNG)) {
       young[1] = args.within("Young's modulus of the cage (Pa)", raceway::LEAST_YOUNG,
                              raceway::LARGEST_YOUNG);
-    } else if (args.take("poisson")) {
-      poisson[0] = args.within("Poisson's ratio of the balls", 0.0, 0.5);
+    } else if (args.within("poisson", poisson[0], "Poisson's ratio of the balls", 0.0, 0.5)) {
       poisson[1] = args.within("Poisson's ratio of the cage", 0.0, 0.5);
-    } else if (args.take("friction")) {
-      of.friction = args.within("friction of ball and cage", 0.0, 1.0);
     } else if (args.take("guide")) {
       read_guide(args);
-    } else if (args.take("oil")) {
-      oil = args.positive("viscosity in pockets and at the land (Pa s)");
+    } else if (args.positive("oil", oil, "viscosity in pockets and at the land (Pa s)")) {
       filled = args.within("share of the gaps with oil", 0.0, 1.0);
       height = args.non_negative("height of a pocket's band of oil (m)");
-    } else if (args.take("film")) {
-      film_height = args.non_negative("height of a pocket's squeeze film (m)");
-    } else if (args.take("land_oil")) {
-      land_filled = args.within("share of the land's gap with oil", 0.0, 1.0);
-    } else if (args.take("churning")) {
-      of.oil_share = args.within("share of oil around the cage", 0.0, 1.0);
+    } else if (args.within("churning", of.oil_share, "share of oil around the cage", 0.0, 1.0)) {
       of.oil_density = args.positive("density of the oil (kg/m^3)");
       of.oil_viscosity = args.positive("viscosity of the oil (Pa s)");
       of.outer_radius = args.positive("outer radius of the cage (m)");
-    } else if (args.take("planar")) {
-      planar = args.choice("planar", {"no", "yes"}) == 1;
     } else {
       args.unknown();
     }
   }
   if (of.pockets == 0) args.fail("'pockets Z' is missing");
   if (play < 0.0) args.fail("'play J' is missing");
-  if (of.mass == 0.0 || inertia[0] == 0.0)
+  if (of.mass == 0.0 || program.inertia.axial == 0.0)
     args.fail("'mass M' or 'inertia AXIAL TRANSVERSE' is missing");
   // balls can hold a cage radially only if its pockets wrap around them
   if (!shaped) of.spherical = of.guide == CageRing::by_balls;
@@ -85,7 +73,6 @@ void CageSettings::read(Arguments &args)
   of.land.viscosity = oil;
   of.land.filled = land_filled < 0.0 ? filled : land_filled;
   program.mass = of.mass;
-  program.inertia = {inertia[0], inertia[1]};
   for (int dof = 0; dof < RingProgram::N_DOF; ++dof)
     program.mode[dof] =
         planar && (dof == 2 || dof == RingProgram::TILT || dof == RingProgram::TILT + 1)

@@ -61,6 +61,21 @@ Waveform read_voltage(Arguments &args)
   return w;
 }
 
+bool read_number(Arguments &args, CircuitSettings &s)
+{
+  return args.non_negative("second", s.second, "capacitance of the other bearing (F)") ||
+         args.non_negative("second_factor", s.second_factor,
+                           "capacitance of the other bearing over this one's") ||
+         args.non_negative("beside", s.beside, "capacitance beside the bearing (F)") ||
+         args.non_negative("stray", s.stray, "capacitance added to every film (F)") ||
+         args.positive("breakdown", s.strength, "electric strength of a film (V/m)") ||
+         args.positive("film_floor", s.film_floor, "smallest local thickness (m)") ||
+         args.positive("resistivity", s.resistivity, "resistivity of the lubricant (ohm m)") ||
+         args.positive("arc", s.arc, "resistance of a film while it fails (ohm)") ||
+         args.integer("within", s.within, "samples per step", 1, 100000) ||
+         args.integer("points", s.points, "circuit points per sample", 1, 1000000);
+}
+
 }    // namespace
 
 CircuitSettings CircuitSettings::read(Arguments &args)
@@ -78,34 +93,14 @@ CircuitSettings CircuitSettings::read(Arguments &args)
     if (args.take("voltage")) {
       s.voltage = read_voltage(args);
       driven = true;
-    } else if (args.take("second")) {
-      s.second = args.non_negative("capacitance of the other bearing (F)");
-    } else if (args.take("second_factor")) {
-      s.second_factor = args.non_negative("capacitance of the other bearing over this one's");
-    } else if (args.take("beside")) {
-      s.beside = args.non_negative("capacitance beside the bearing (F)");
-    } else if (args.take("stray")) {
-      s.stray = args.non_negative("capacitance added to every film (F)");
-    } else if (args.take("breakdown")) {
-      s.strength = args.positive("electric strength of a film (V/m)");
+    } else if (read_number(args, s) ||
+               args.word("events", s.events, "file for the films that fail")) {
+      continue;
     } else if (args.take("surfaces")) {
       s.rough = args.choice("surfaces", {"rough", "smooth"}) == 0;
-    } else if (args.take("film_floor")) {
-      s.film_floor = args.positive("smallest local thickness (m)");
-    } else if (args.take("resistivity")) {
-      s.resistivity = args.positive("resistivity of the lubricant (ohm m)");
-    } else if (args.take("metal")) {
-      s.metal = args.positive("resistance of a metallic film (ohm)");
+    } else if (args.positive("metal", s.metal, "resistance of a metallic film (ohm)")) {
       s.metal_share =
           args.within("share of the load on asperities above which a film is metallic", 0.0, 0.999);
-    } else if (args.take("arc")) {
-      s.arc = args.positive("resistance of a film while it fails (ohm)");
-    } else if (args.take("within")) {
-      s.within = args.integer("samples per step", 1, 100000);
-    } else if (args.take("points")) {
-      s.points = args.integer("circuit points per sample", 1, 1000000);
-    } else if (args.take("events")) {
-      s.events = args.word("file for the films that fail");
     } else {
       args.unknown();
     }

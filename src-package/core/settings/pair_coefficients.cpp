@@ -26,8 +26,9 @@ void PairCoefficients::read_style(Arguments &args)
   *this = PairCoefficients(with_film_);
   while (args.more()) {
     if (args.take("axis")) axis_ = args.choice("axis", {"x", "y", "z"});
-    else if (args.take("overlap_limit")) overlap_limit_ = args.within("overlap_limit", 1e-4, 0.5);
-    else if (!read_raceway_keyword(args, with_film_, defaults_)) args.unknown();
+    else if (!args.within("overlap_limit", overlap_limit_, "overlap_limit", 1e-4, 0.5) &&
+             !read_raceway_keyword(args, with_film_, defaults_))
+      args.unknown();
   }
 }
 
@@ -53,11 +54,11 @@ void PairCoefficients::read_coeff(Arguments &args, int types)
     args.fail("groove radius " + text(p.groove.groove_radius) +
               " must be smaller than the raceway radius " + text(p.groove.raceway_radius));
   double arch = 0.0;
-  while (args.more()) {
-    if (args.take("gothic_arch"))
-      arch = args.positive("distance of the groove centres from the ring's middle plane (m)");
-    else if (!read_raceway_keyword(args, with_film_, p)) args.unknown();
-  }
+  while (args.more())
+    if (!args.positive("gothic_arch", arch,
+                       "distance of the groove centres from the ring's middle plane (m)") &&
+        !read_raceway_keyword(args, with_film_, p))
+      args.unknown();
   if (with_film_ && p.model.lubricant.viscosity == 0.0)
     args.fail("bearing/ehd needs 'lubricant VISCOSITY PRESSURE_VISCOSITY' here or in pair_style; "
               "without a lubricant use bearing/hertz");
@@ -111,12 +112,9 @@ void PairCoefficients::read_spheres(Arguments &args, int i, int j)
 
 bool take_grain_keyword(Arguments &args, GrainLaw &law)
 {
-  if (args.take("stiffness")) law.stiffness = args.positive("stiffness (N/m)");
-  else if (args.take("restitution"))
-    law.restitution = args.within("coefficient of restitution", 0.01, 1.0);
-  else if (args.take("friction")) law.friction = args.non_negative("coefficient of friction");
-  else return false;
-  return true;
+  return args.positive("stiffness", law.stiffness, "stiffness (N/m)") ||
+         args.within("restitution", law.restitution, "coefficient of restitution", 0.01, 1.0) ||
+         args.non_negative("friction", law.friction, "coefficient of friction");
 }
 
 void PairCoefficients::read_grains(Arguments &args, int i, int j)
@@ -294,9 +292,21 @@ bool PairCoefficients::is_there(const GrooveName &of) const
   return sizes_.count[of.ball] > 0 || sizes_.count[of.ring] > 0;
 }
 
-// Returns a message about an error in the sizes of the balls and the groove, or "" if there is
-// none. The radius and the mass of the balls are those of the atoms; all balls of a type have the
-// same size.
+std::string wrong_groove(const Groove &g)
+{
+  const double R = g.ball_radius;
+  if (!(g.groove_radius > R * (1.0 + 1e-9)))
+    return "groove radius " + text(g.groove_radius) + " m must be larger than the ball radius " +
+           text(R) + " m (a conformal groove is not a Hertz point contact)";
+  if (std::fabs(g.offset) >= g.slack())
+    return "gothic_arch " + text(std::fabs(g.offset)) +
+           " m must be smaller than the groove radius minus the ball radius, " + text(g.slack()) +
+           " m: otherwise a ball does not fit between both grooves";
+  return "";
+}
+
+// The radius and the mass of the balls are those of the atoms; all balls of a type have the same
+// size.
 std::string PairCoefficients::wrong_size(const GrooveName &of, const RacewayPhysics &p) const
 {
   const double R = sizes_.largest[of.ball], smallest = sizes_.smallest[of.ball];
@@ -306,13 +316,7 @@ std::string PairCoefficients::wrong_size(const GrooveName &of, const RacewayPhys
   if (R - smallest > 1e-12 * R)
     return "balls of type " + type + " have radii from " + text(smallest) + " to " + text(R) +
            " m; give each size its own type";
-  if (!(g.groove_radius > R * (1.0 + 1e-9)))
-    return "groove radius " + text(g.groove_radius) + " m must be larger than the ball radius " +
-           text(R) + " m (a conformal groove is not a Hertz point contact)";
-  if (std::fabs(g.offset) >= g.slack())
-    return "gothic_arch " + text(std::fabs(g.offset)) +
-           " m must be smaller than the groove radius minus the ball radius, " + text(g.slack()) +
-           " m: otherwise a ball does not fit between both grooves";
+  if (const std::string wrong = wrong_groove(g); !wrong.empty()) return wrong;
   if (g.side == Side::outer && !(g.raceway_radius - R > R))
     return "raceway radius " + text(g.raceway_radius) +
            " m leaves no pitch circle for balls of radius " + text(R) + " m";

@@ -22,6 +22,9 @@ struct TypeSizes {
 // such a keyword.
 bool take_grain_keyword(Arguments &, raceway::GrainLaw &);
 
+// Returns a message if the balls (Groove::ball_radius) do not fit into the groove, otherwise "".
+std::string wrong_groove(const raceway::Groove &);
+
 class PairCoefficients {
  public:
   struct Spheres {    // materials of two types; factor by which the stiffness is multiplied

@@ -54,14 +54,15 @@ void RingWords::read_vector(int first, const std::string &what)
   for (int k : number_) to_.value[first + k] = DrivenValue::read(args_, what, each_);
 }
 
-void RingWords::read_inertia()
+RingInertia read_inertia(Arguments &args)
 {
-  RingInertia &inertia = to_.program.inertia;
-  inertia.axial = args_.positive("inertia about the axis (kg m^2)");
-  inertia.transverse = args_.positive("inertia across the axis (kg m^2)");
+  RingInertia inertia;
+  inertia.axial = args.positive("inertia about the axis (kg m^2)");
+  inertia.transverse = args.positive("inertia across the axis (kg m^2)");
   if (inertia.axial > 2.0 * inertia.transverse)
-    args_.fail("inertia " + text(inertia.axial) + " " + text(inertia.transverse) +
-               ": no body has more than twice as much about its axis as across it");
+    args.fail("inertia " + text(inertia.axial) + " " + text(inertia.transverse) +
+              ": no body has more than twice as much about its axis as across it");
+  return inertia;
 }
 
 void RingWords::read_support()
@@ -79,31 +80,23 @@ bool RingWords::take()
 {
   RingProgram &p = to_.program;
   if (take_freedom()) return true;
-  if (args_.take("mass")) {
-    p.mass = args_.positive("mass (kg)");
-  } else if (args_.take("inertia")) {
-    read_inertia();
+  if (args_.positive("mass", p.mass, "mass (kg)")) return true;
+  if (args_.take("inertia")) {
+    p.inertia = read_inertia(args_);
   } else if (args_.take("force")) {
     read_vector(RingProgram::FORCE, "force (N)");
   } else if (args_.take("moment")) {
     read_vector(RingProgram::MOMENT, "moment (N m)");
-  } else if (args_.take("rotating")) {
-    p.turning.size = args_.number("rotating force (N)");
+  } else if (args_.number("rotating", p.turning.size, "rotating force (N)")) {
     p.turning.speed = args_.number("speed of the rotating force (rad/s)");
     p.turning.phase = args_.number("phase of the rotating force (rad)");
-  } else if (args_.take("unbalance")) {
-    p.unbalance.moment = args_.non_negative("unbalance (kg m)");
+  } else if (args_.non_negative("unbalance", p.unbalance.moment, "unbalance (kg m)")) {
     p.unbalance.phase = args_.number("phase of the unbalance (rad)");
   } else if (args_.take("support")) {
     read_support();
-  } else if (each_ && args_.take("to")) {
-    to_.holder = args_.word("to");
-  } else if (each_ && (take_load() || take_housing())) {
-    return true;
-  } else if (args_.take("ramp")) {
-    p.ramp = args_.non_negative("ramp time (s)");
   } else {
-    return false;
+    return (each_ && (args_.word("to", to_.holder, "to") || take_load() || take_housing())) ||
+           args_.non_negative("ramp", p.ramp, "ramp time (s)");
   }
   return true;
 }
@@ -113,31 +106,24 @@ bool RingWords::take_load()
 {
   if (args_.take("free")) {
     args_.choice("free", {"loaded"});
-    free_loaded_ = true;
-  } else if (args_.take("load")) {
-    load_ = args_.number_of("load");
-    loads_ = true;
-  } else if (args_.take("load_azimuth")) {
-    azimuth_ = args_.number_of("load_azimuth");
-  } else if (args_.take("axial")) {
-    axial_ = args_.number_of("axial");
-    loads_ = true;
-  } else {
-    return false;
+    return free_loaded_ = true;
   }
-  return true;
+  if (args_.variable("load", load_)) return loads_ = true;
+  if (args_.variable("load_azimuth", azimuth_)) return true;
+  return args_.variable("axial", axial_) && (loads_ = true);
 }
 
 // Reads the settings of a housing on springs that carries the ring.
 bool RingWords::take_housing()
 {
-  if (args_.take("housing")) springs_ = args_.choice("housing", {"none", "springs"}) == 1;
-  else if (args_.take("housing_mass")) housing_mass_ = args_.number_of("housing_mass");
-  else if (args_.take("housing_frequency"))
-    housing_frequency_ = args_.number_of("housing_frequency");
-  else if (args_.take("housing_damping")) housing_damping_ = args_.number_of("housing_damping");
-  else return false;
-  return true;
+  std::string housing;
+  if (args_.variable("housing", housing)) {
+    springs_ = housing == "springs";
+    return true;
+  }
+  return args_.variable("housing_mass", housing_mass_) ||
+         args_.variable("housing_frequency", housing_frequency_) ||
+         args_.variable("housing_damping", housing_damping_);
 }
 
 // Sets the forces. The direction of the radial load is rounded to 15 digits, so that a load along

@@ -23,8 +23,7 @@ struct RingSettings {
   raceway::RingProgram program;    // common program of all rings, without targets and loads
   DrivenValue value[raceway::RingProgram::N_VALUE];
   StatedLoads stated;
-  std::string holder;    // group of the ring to which the other ends of the supports are attached,
-                         // or empty
+  std::string holder;    // group of the ring that holds the supports, or empty
 };
 
 // Mass and inertia of a ring, which are used if the words do not specify them; 0 if unknown.
@@ -32,6 +31,9 @@ struct RingBody {
   double mass = 0.0;
   raceway::RingInertia inertia;
 };
+
+// Reads the inertia about and across the axis.
+raceway::RingInertia read_inertia(Arguments &);
 
 // Reads the settings keyword by keyword.
 class RingWords {
@@ -49,7 +51,6 @@ class RingWords {
   void read_freedom(const std::string &name, int dof);
   bool take_freedom();
   void read_vector(int first, const std::string &what);
-  void read_inertia();
   void read_support();
   bool take_load();
   bool take_housing();

@@ -9,8 +9,7 @@ namespace bearing {
 
 bool ShaftSettings::take(Arguments &args)
 {
-  if (args.take("centre")) {
-    centre = args.number("centre of mass along the axis (m)");
+  if (args.number("centre", centre, "centre of mass along the axis (m)")) {
     centre_given = true;
   } else if (args.take("load")) {
     Load load;
@@ -23,10 +22,8 @@ bool ShaftSettings::take(Arguments &args)
     u.of.moment = args.non_negative("unbalance (kg m)");
     u.of.phase = args.number("phase of the unbalance (rad)");
     unbalances.push_back(u);
-  } else if (args.take("flexible")) {
-    file = args.word("file of a flexible shaft");
   } else {
-    return false;
+    return args.word("flexible", file, "file of a flexible shaft");
   }
   return true;
 }

@@ -9,6 +9,7 @@ namespace raceway {
 
 void BearingInstants::want(const Instants &i)
 {
+  if (i.number == instants_.number && i.capacitor == instants_.capacitor) return;
   instants_ = i;
   if (i.number < 2) return;
   const size_t n = i.number - 1;

@@ -26,8 +26,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
                                       const Vec3L &e, const ScaledSlopes<n> &s,
                                       const ProfiledContactT<Lane> *on, const TurnRowT<Lane> *depth)
 {
-  Lane row[n][6], column[6][n];    // column[k]: local forces per unit of the ball's k-th velocity
-                                   // component
+  Lane row[n][6], column[6][n];    // column[k]: local forces per k-th velocity of the ball
   ball_rows(s, R, row);
   if (on)
     for (int k = 0; k < 3; ++k) row[0][k] -= on->slope * row[1][k];
@@ -79,8 +78,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
     Lane *B = system.B(group, u), *C = system.C(group, u);
     for (int k = 0; k < 6; ++k)
       for (int i = 0; i < n; ++i) {
-        if ((i == 0 && k >= 3 && !depth) || (i >= 3 && k < 3)) continue;    // zero entries of the
-                                                                            // rows
+        if ((i == 0 && k >= 3 && !depth) || (i >= 3 && k < 3)) continue;    // zero entries
         B[k] -= row[i][k] * force[i];
       }
     for (int k = 0; k < 6; ++k)

@@ -11,5 +11,5 @@ GROUPS = {
     "Films as capacitors": ("electric", "circuit"),
     "Many runs": ("sweep", "gather", "needs", "dataset"),
     "Measurements": ("measured", "compare", "identify", "track"),
-    "The publication": ("paper",),
+    "The paper": ("paper",),
 }

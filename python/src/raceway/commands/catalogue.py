@@ -55,8 +55,10 @@ def add(one: argparse.ArgumentParser) -> None:
         "words", nargs="*", metavar="WORD", help="show only bearings that contain this text"
     )
     one.add_argument("--series", metavar="TEXT", help="start of the name: 60, 62, 72")
-    for name in ("bore", "outside", "width"):
-        one.add_argument(f"--{name}", type=number(0.1, 3000, "mm"), metavar="MM", help="mm")
+    for name, size in (("bore", "bore"), ("outside", "outside diameter"), ("width", "width")):
+        one.add_argument(
+            f"--{name}", type=number(0.1, 3000, "mm"), metavar="MM", help=f"{size} in millimetres"
+        )
     one.add_argument(
         "--contact-angle",
         type=number(0, 60, "degrees"),

@@ -39,7 +39,7 @@ def add(one: argparse.ArgumentParser) -> None:
         "--strength",
         type=number(1e3, 1e12, "V/m"),
         metavar="V/M",
-        help="electric strength of a film (default: no film fails)",
+        help="dielectric strength of a film (default: no film fails)",
     )
     one.add_argument(
         "--surfaces",

@@ -79,7 +79,8 @@ def _operating_point(one):
     point.add_argument(
         "--bearing",
         metavar="NAME",
-        help="a file in inputs/bearings (default: 6208); for a run, the number of the bearing",
+        help="a name listed by `raceway catalogue`, or the path of a file (default: 6208); for a"
+        " run, the number of the bearing",
     )
     options.lubricant(point)
     options.inputs(point)
@@ -89,7 +90,7 @@ def _operating_point(one):
     options.models(
         point,
         CAPACITANCE,
-        "full: includes the film in the gap and inlet shear; paper: as in the publication",
+        "full: includes the film in the gap and inlet shear; paper: as in the paper",
     )
 
 
@@ -113,7 +114,8 @@ def _surroundings(one):
         "--permittivity-at",
         choices=("maximum", "mean", "two_thirds"),
         help="pressure at which the permittivity of the film is evaluated: the maximum, the mean"
-        " over the ellipse, or two thirds of the maximum",
+        " over the ellipse, or two thirds of the maximum (default: maximum; for a run, as in the"
+        " run)",
     )
     around.add_argument(
         "--roughness",

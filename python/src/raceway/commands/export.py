@@ -16,7 +16,7 @@ Writes a run as files for other programs:
   xyz   for OVITO: bearing.xyz (extended XYZ, the same columns), inner_raceway.obj,
         outer_raceway.obj
   spice for SPICE: bearing.cir (subcircuits of capacitances that follow the run), bearing.pwl (a
-        table of time, capacitance and leak resistance)
+        table of time, capacitance and leakage resistance)
 Positions are not exaggerated. All values are in SI units."""
 EXAMPLES = """\
 examples:

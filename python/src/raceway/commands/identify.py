@@ -82,7 +82,10 @@ def add(one: argparse.ArgumentParser) -> None:
     options.models(lines, STATICS, "films and cage speed")
     defaults = {name: lines.get_default(name) for name in ("bearing", "lubricant", "models")}
     lines.add_argument(
-        "--load", type=number(0, 1e6, "N"), metavar="N", help="radial load in newtons (unknown)"
+        "--load",
+        type=number(0, 1e6, "N"),
+        metavar="N",
+        help="radial load in newtons (default: unknown)",
     )
     lines.add_argument(
         "--temperature",

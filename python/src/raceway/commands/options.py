@@ -19,7 +19,7 @@ from raceway.theory.models import DEFAULT
 POINT = {  # {quantity of an operating point: (type, unit in the help, help)}
     "load": (number(0, 1e6, "N"), "N", "radial load along x, in newtons (default: 0)"),
     "axial": (number(-1e6, 1e6, "N"), "N", "axial load along z, in newtons (default: 0)"),
-    "rpm": (number(0, 1e5, "rpm"), "R", "speed of the inner ring"),
+    "rpm": (number(0, 1e5, "rpm"), "R", "speed of the inner ring in rpm"),
     "clearance": (
         number(-1e-3, 1e-3, "m"),
         "M",

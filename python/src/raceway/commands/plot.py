@@ -10,7 +10,7 @@ KINDS = ("overview", "polar", "waterfall", "bearing", "motion", "warming")
 HELP = "draw a picture of a run"
 DESCRIPTION = """\
 Draws a picture of a run as a PNG file:
-  overview   loads, film, pressure and capacitance on one page
+  overview   loads, film, friction torque and capacitance on one page
   polar      load and film around the ring, with quasi-static theory as dots
   waterfall  capacitance of every ball as a function of azimuth and time
   bearing    rings, balls and cage at the time of the largest load

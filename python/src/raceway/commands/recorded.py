@@ -30,13 +30,14 @@ def add(to: Any, bearing: bool = True) -> None:
     )
     speed = to.add_mutually_exclusive_group()
     speed.add_argument(
-        "--rpm", type=number(1, 1e6, "rpm"), metavar="R", help="true speed of the inner ring"
+        "--rpm", type=number(1, 1e6, "rpm"), metavar="R", help="true speed of the inner ring in rpm"
     )
     speed.add_argument(
         "--nominal",
         type=number(1, 1e6, "rpm"),
         metavar="R",
-        help="nominal speed; the true speed must be within 1.5 %% of it (default: from the file)",
+        help="nominal speed in rpm; the true speed must be within 1.5 %% of it (default: from the"
+        " file)",
     )
     to.add_argument(
         "--channel", default="", metavar="NAME", help="channel of the file (default: the first)"

@@ -42,17 +42,17 @@ PLACES = ("shift_x_m", "shift_y_m", "shift_z_m", "tilt_x_rad", "tilt_y_rad")
 def add(one: argparse.ArgumentParser) -> None:
     one.add_argument("file", metavar="FILE", help="YAML file of the shaft, or a ROSS rotor")
     options.inputs(one)
-    options.point(one, "rpm", "shaft speed (default: the speed in the file)")
+    options.point(one, "rpm", "speed of the shaft in rpm (default: the speed in the file)")
     options.cleanliness(one)
     one.add_argument(
         "--json", action="store_true", help="print a JSON object, or a list for several --rpm"
     )
     one.add_argument("--out", metavar="PNG", help="plot the displacement of the shaft")
-    reduced = one.add_argument_group("a shaft that bends, for fix bearing/shaft")
+    reduced = one.add_argument_group("flexible shaft, for fix bearing/shaft")
     reduced.add_argument(
         "--reduced",
         metavar="FILE",
-        help="write a model of the bending shaft that is reduced to a few coordinates",
+        help="write a model of the flexible shaft, reduced to a few coordinates",
     )
     reduced.add_argument(
         "--modes",

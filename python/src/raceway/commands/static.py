@@ -16,9 +16,10 @@ DESCRIPTION = """\
 Computes the quasi-static equilibrium of a ball bearing in five degrees of freedom (Jones, Harris):
 radial and axial load and two moments on the inner ring, free contact angles, and the centrifugal
 load of the balls. If a lubricant and a speed are given, the results also include the film
-thickness (Masjedi-Khonsari) and capacitance of every contact for rolling without slip, and the
-parts of the friction torque, which is compared with the formulas of bearing makers. --models paper
-uses the laws of the publication, which has no friction torque.
+thickness (Masjedi-Khonsari) and capacitance of every contact and the parts of the friction torque,
+which is compared with manufacturers' formulas. The balls roll without slip, except under pure
+thrust, where friction determines their motion. --models paper uses the laws of the paper, which do
+not yield a friction torque.
 
 x points along the radial load and z along the bearing axis. As in a deck, the ring is held along z
 unless it has an axial load: at 0, or where the balls touch both raceways at their contact angle. It
@@ -112,7 +113,8 @@ def add(one: argparse.ArgumentParser) -> None:
     options.point(
         balls,
         "rpm",
-        "speed of the inner ring, which causes the centrifugal load of the balls (default: 0)",
+        "speed of the inner ring in rpm, which causes the centrifugal load of the balls"
+        " (default: 0)",
     )
     balls.add_argument(
         "--density",
@@ -129,7 +131,7 @@ def add(one: argparse.ArgumentParser) -> None:
         one,
         models.STATICS,
         "full: includes the film in the gap, inlet shear and friction torque; eyring: full with the"
-        " Eyring stress in the film; paper: as in the publication, without friction torque",
+        " Eyring stress in the film; paper: as in the paper, without friction torque",
     )
     options.spin_law(one)
     options.lubrication(one)

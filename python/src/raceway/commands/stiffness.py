@@ -36,7 +36,9 @@ def add(one: argparse.ArgumentParser) -> None:
     options.grooves(one)
     options.point(one, "load")
     options.point(one, "axial", several=False)
-    options.point(one, "rpm", "speed of the inner ring, or several in ascending order (default: 0)")
+    options.point(
+        one, "rpm", "speed of the inner ring in rpm, or several in ascending order (default: 0)"
+    )
     options.point(one, "clearance", several=False)
     one.add_argument(
         "--lubricant", metavar="NAME", help="a file in inputs/lubricants, or a path; adds damping"
@@ -46,8 +48,7 @@ def add(one: argparse.ArgumentParser) -> None:
     options.models(
         one,
         CAPACITANCE,
-        "full: includes the film in the gap and its damping branch; paper: damping as in the"
-        " publication",
+        "full: includes the film in the gap and its damping branch; paper: damping as in the paper",
     )
     one.add_argument(
         "--frequency",

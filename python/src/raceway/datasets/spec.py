@@ -169,7 +169,7 @@ def _section(name, given, words, needed=frozenset()):
     if words is not None and (more := set(given) - words):
         raise SpecError(f"{name}: '{min(more)}' is unknown; known: {', '.join(sorted(words))}")
     if missing := needed - set(given):
-        raise SpecError(f"{name}: needs '{min(missing)}'")
+        raise SpecError(f"{name} needs '{min(missing)}'")
     return given
 
 

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 TURNS = 2  # minimum number of cage revolutions needed to identify a whirl
 ROUNDING = 1e-12  # rounding error of a slip
+STILL = 1e-9  # rad/s, smaller speeds are rounding errors
 WHIRLS = 0.02  # smallest orbit of a cage that whirls, as a fraction of the play
 NEAR = 0.1  # a whirl follows a part whose speed is within this fraction of the cage speed
 
@@ -78,7 +79,7 @@ def cage_figures(tables: "RunTables") -> CageFigures | None:
     geometry = tables.geometry
     rolling = 0.5 * (inner - outer) * (1 - geometry.ball_radius / geometry.pitch_radius)
     own = float(spin[cage]) - outer
-    slip = 1 - own / rolling if rolling != 0.0 else math.nan
+    slip = 1 - own / rolling if abs(rolling) > STILL else math.nan
     angle, groove = _rolling_slip(tables, start, stop)
     place = data["ring_x"][:, cage] + 1j * data["ring_y"][:, cage]
     place = place - place.mean()
@@ -92,12 +93,19 @@ def cage_figures(tables: "RunTables") -> CageFigures | None:
         cage_slip_groove=groove,
         cage_slip_play=slip - angle - groove,
         cage_orbit_m=float(np.abs(place).max()),
-        cage_whirl=whirl(order, {name: v / spin[cage] for name, v in speeds.items() if v}),
+        cage_whirl=whirl(order, _relative(speeds)),
         cage_whirl_order=order,
         pocket_play_m=play,
         pocket_force_max_N=float(known.max()) if known.size else math.nan,
         pocket_force_mean_N=float(known.mean()) if known.size else math.nan,
     )
+
+
+def _relative(speeds):
+    """Return the speeds of the parts that turn, relative to that of the cage."""
+    if abs(speeds["cage"]) <= STILL:
+        return {}
+    return {name: speed / speeds["cage"] for name, speed in speeds.items() if speed}
 
 
 def whirl(order: float | None, known: dict[str, float]) -> str | None:

@@ -73,8 +73,12 @@ def _attributes(name):
 
 
 def heated(tables: RunTables) -> bool:
-    """Return True for a run whose temperatures follow from its losses."""
-    return "temperature_inner" in tables.totals
+    """Return True for a run whose temperatures follow from its losses.
+
+    Of several bearings in a run, only some may be heated.
+    """
+    totals = tables.totals
+    return "temperature_inner" in totals and bool(totals["temperature_inner"].notna().any())
 
 
 def warm_clearance(tables: RunTables) -> float:
@@ -92,6 +96,20 @@ def warm_clearance(tables: RunTables) -> float:
     return cold + float(laws.clearance_change(*radii, *rises))
 
 
+def _last_jump(tables):
+    """Return the last row of the table of the fix. It is None if there is no such table, or if the
+    run has several bearings and the table is that of another one."""
+    if not (tables.folder / FILE).exists():
+        return None
+    last = transient(tables.folder).isel(thermal_time=-1)
+    parts = PARTS[:3]
+    at = [float(last[f"temperature_{part}"]) for part in parts]
+    end = [tables.totals[f"temperature_{part}"].iloc[-1] for part in parts]
+    # the record contains the temperatures of the table with single precision or better
+    own = len(tables.record.bearings) == 1 or np.allclose(at, end, rtol=1e-6, atol=0)
+    return last if own else None
+
+
 def figures(tables: RunTables) -> dict[str, float]:
     """Return the results with the keys of `ROWS` in SI units and degrees C.
 
@@ -105,8 +123,8 @@ def figures(tables: RunTables) -> dict[str, float]:
         for part in PARTS
     }
     found["clearance_warm_m"] = warm_clearance(tables)
-    if (tables.folder / FILE).exists():
-        last = transient(tables.folder).isel(thermal_time=-1)
+    last = _last_jump(tables)
+    if last is not None:
         time = float(last["thermal_time"])
         found |= {
             "thermal_time_s": time,

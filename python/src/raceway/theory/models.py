@@ -8,7 +8,7 @@ PAPER, DEFAULT = "paper", "full"
 # runs also offer "film", i.e. films of full with friction of paper
 STATICS = ("paper", "full", "eyring")
 CAPACITANCE = ("paper", "full")  # eyring has the same films as full
-# In the publication, the only role of friction between balls and raceways is to keep the balls
+# In the paper, the only role of friction between balls and raceways is to keep the balls
 # rolling. The torque includes neither rolling resistance nor slip within a contact patch nor drag.
 # In the main deck it is 29 uN m, whereas the makers' formulas give 146 mN m.
 WITHOUT_LOSSES = ("paper", "film")

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Between the steps, every bearing has the capacitors of its own fix bearing/capacitance. Two
+bearings of different sizes and oils in a deck have bitwise the same capacitances as each alone."""
+
+import numpy as np
+import pytest
+from host import deck_file, liggghts, refused, succeed
+from scipy.io import netcdf_file
+
+KINDS = {
+    "left": "6208 types 1 2 3 4",
+    "right": "6306 types 5 6 7 8",
+}
+PLACE = {"left": "0", "right": "0.12"}
+OILS = {"left": "vg46", "right": "pao8"}
+COLUMNS = ("capacitance", "capacitance_total", "h_c")
+
+
+def deck(names):
+    lines = [f"bearing {name} {KINDS[name]} cage no" for name in names]
+    lines += """units si
+atom_style sphere
+atom_modify map array sort 0 0.0
+newton off
+boundary f f f
+region box block -0.06 0.2 -0.06 0.06 -0.06 0.06 units box
+create_box 8 box
+neighbor 2.0e-3 bin
+neigh_modify delay 0 every 1 check yes
+pair_style bearing oil vg46 temperature 60 models full""".splitlines()
+    lines += [f"pair_coeff * * {name} oil {OILS[name]}" for name in names]
+    lines += [f"create_bearing {name} centre {PLACE[name]} 0 0 speed 200 0" for name in names]
+    for name in names:
+        balls, inner = KINDS[name].split()[2], KINDS[name].split()[4]
+        lines += [
+            f"group {name} type {balls}",
+            f"group inner_{name} type {inner}",
+            f"fix inner_{name} inner_{name} bearing/ring mass 0.2 x free y free spin speed 200 "
+            "force 0 -2000 0 ramp 1e-3",
+            f"fix c_{name} {name} bearing/capacitance 1 surroundings flooded",
+        ]
+    lines += ["fix move all bearing/implicit"]
+    lines += ["fix record all bearing/record 1 ${out} within 5", "timestep 1e-4", "run 40", ""]
+    return "\n".join(lines)
+
+
+def capacitances(folder, number):
+    """Return the values of one of the bearings in a record, and all totals of it."""
+    with netcdf_file(folder / "record.nc", mmap=False) as file:
+        mine = file.variables["ball_bearing"].data == number
+        values = {name: file.variables[name].data[..., mine] for name in COLUMNS}
+        total = file.variables["bearing_capacitance_total"].data
+        return values | {"total": total[:, number - 1]}
+
+
+def test_together_and_alone(tmp_path):
+    succeed(deck_file(tmp_path, deck(KINDS)), out=tmp_path / "both")
+    for number, name in enumerate(KINDS, 1):
+        succeed(deck_file(tmp_path, deck([name])), out=tmp_path / name)
+        together = capacitances(tmp_path / "both", number)
+        alone = capacitances(tmp_path / name, 1)
+        for key in together:
+            np.testing.assert_array_equal(together[key], alone[key], key)
+        assert np.nanmax(together["total"]) > 1e-11  # F
+
+
+@pytest.mark.parametrize("balls", ["1:3", "1:9"])
+def test_two_models_in_one_bearing(tmp_path, balls):
+    """Balls of one bearing cannot have different models, whether or not the groups overlap."""
+    usual = "fix c_left left bearing/capacitance 1 surroundings flooded\n"
+    text = deck(["left"])
+    assert usual in text
+    other = "rest" if balls == "1:3" else "left"
+    text = text.replace(
+        usual,
+        f"group some id {balls}\ngroup rest subtract left some\n"
+        "fix d some bearing/capacitance 1 surroundings dry\n"
+        f"fix e {other} bearing/capacitance 1 surroundings flooded\n",
+    )
+    end = liggghts(deck_file(tmp_path, text), out=tmp_path)
+    refused(end, "two fixes request different data between the steps of fix move")
