@@ -100,45 +100,19 @@ def _rows(bearing, state, side, spin, oil, z):
     speed = kinematics.entrainment(bearing, spin)
     for i in np.flatnonzero(part.load > 0):
         azimuth = np.mod(state.azimuth[i] + np.pi, 2 * np.pi) - np.pi
-        row = [
-            i + 1,
-            2 * z + 1 + side,
-            side,
-            azimuth,
-            part.angle[i],
-            part.overlap[i],
-            part.load[i],
-            part.load[i],
-            100.0,
-            part.a[i],
-            part.b[i],
-            part.pressure[i],
-            speed,
-            0.0,
-        ]
-        row += [0.05 if oil else 0.1, 0.0, *(part.load[i] * loss for loss in LOSS)]
+        load, pressure, a, b = (getattr(part, name)[i] for name in ("load", "pressure", "a", "b"))
+        row = [i + 1, 2 * z + 1 + side, side, azimuth, part.angle[i], part.overlap[i], load, load]
+        row += [100.0, a, b, pressure, speed, 0.0]
+        row += [0.05 if oil else 0.1, 0.0, *(load * loss for loss in LOSS)]
         if oil:
+            viscosity, pressure_viscosity, permittivity, roughness = oil.values()
             r_x, r_y = bearing.effective_radii(side)
-            group = film.group(
-                oil["viscosity_Pa_s"],
-                oil["pressure_viscosity_per_Pa"],
-                bearing.effective_modulus,
-                r_x,
-                hertz.exact(r_x, r_y).kappa,
-                speed,
-                part.load[i],
-            )
+            of = bearing.effective_modulus, r_x, hertz.exact(r_x, r_y).kappa, speed, load
+            group = film.group(viscosity, pressure_viscosity, *of)
             h_min, h_c = film.h_min(r_x, group), film.h_c(r_x, group)
-            ratio = film.ratio(h_min, oil["roughness_m"])
-            row += [
-                h_min,
-                h_c,
-                ratio,
-                film.regime(ratio),
-                capacitance.contact(
-                    oil["permittivity"], part.pressure[i], part.a[i], part.b[i], h_c
-                ),
-            ]
+            ratio = film.ratio(h_min, roughness)
+            row += [h_min, h_c, ratio, film.regime(ratio)]
+            row += [capacitance.contact(permittivity, pressure, a, b, h_c)]
         yield row
 
 

@@ -20,7 +20,6 @@ def scene(load=5000.0, rpm=1910.0, oil="vg46", **laws):
     path, data = ROOT / "inputs/bearings/6208", ROOT / "inputs/lubricants" / oil
     return heat_scene.Scene(
         inputs.bearing(path),
-        inputs.boundary(path),
         inputs.lubricant(data),
         1e-7,
         load,

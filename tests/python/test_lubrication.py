@@ -19,42 +19,23 @@ def test_each_contact(bearing):
     state = equilibrium(bearing, 2000.0, 1000.0, moment=(10.0, 0.0), clearance=10e-6)
     films = lubricate(bearing, state, OIL, 50.0, 10e-6)
     assert films.inner.entrainment[0] != films.inner.entrainment[4]  # due to the contact angle
-    total = 0
-    for ball in range(9):
-        series = []
-        for side, contact, found in (
-            (INNER, state.inner, films.inner),
-            (OUTER, state.outer, films.outer),
-        ):
-            r_x, r_y = bearing.effective_radii(side, contact.angle[ball], 10e-6)
-            ellipse, speed = (
-                hertz.exact(r_x, r_y),
-                kinematics.entrainment(bearing, 50.0, contact.angle[ball]),
-            )
-            g = film.group(
-                0.04,
-                22e-9,
-                bearing.effective_modulus,
-                r_x,
-                ellipse.kappa,
-                speed,
-                contact.load[ball],
-            )
-            a, b = hertz.semi_axes(ellipse, bearing.effective_modulus, contact.load[ball])
-            c = capacitance.contact(
-                2.25,
-                hertz.pressure(ellipse, bearing.effective_modulus, contact.load[ball]),
-                a,
-                b,
-                film.h_c(r_x, g),
-            )
-            h_min, h_c = film.h_min(r_x, g), film.h_c(r_x, g)
-            expected = [speed, h_min, h_c, h_min / 1e-7, c, speed]
-            assert [values[ball] for values in found] == pytest.approx(expected, rel=1e-12)
-            series.append(c)
-        assert films.ball[ball] == pytest.approx(1 / (1 / series[0] + 1 / series[1]), rel=1e-12)
-        total += films.ball[ball]
-    assert films.total == pytest.approx(total, rel=1e-12)
+    modulus, series = bearing.effective_modulus, []
+    for side, contact, found in (
+        (INNER, state.inner, films.inner),
+        (OUTER, state.outer, films.outer),
+    ):
+        r_x, r_y = bearing.effective_radii(side, contact.angle, 10e-6)
+        ellipse, speed = hertz.exact(r_x, r_y), kinematics.entrainment(bearing, 50.0, contact.angle)
+        g = film.group(0.04, 22e-9, modulus, r_x, ellipse.kappa, speed, contact.load)
+        pressure = hertz.pressure(ellipse, modulus, contact.load)
+        h_min, h_c = film.h_min(r_x, g), film.h_c(r_x, g)
+        a, b = hertz.semi_axes(ellipse, modulus, contact.load)
+        c = capacitance.contact(2.25, pressure, a, b, h_c)
+        expected = np.array([speed, h_min, h_c, h_min / 1e-7, c, speed])
+        assert np.array(found) == pytest.approx(expected, rel=1e-12)
+        series.append(c)
+    assert films.ball == pytest.approx(1 / (1 / series[0] + 1 / series[1]), rel=1e-12)
+    assert films.total == pytest.approx(films.ball.sum(), rel=1e-12)
 
 
 def test_unloaded_balls_add_nothing(bearing):

@@ -81,6 +81,7 @@ def test_hints_name_types_that_are():
     from raceway.recordings.identify import Found
     from raceway.recordings.readings import Readings
     from raceway.recordings.recording import Recording
+    from raceway.runs.record import Record
     from raceway.runs.source import Source
     from raceway.runs.spectrum import Line
     from raceway.runs.tables import RunTables
@@ -90,6 +91,7 @@ def test_hints_name_types_that_are():
         "RunTables": RunTables,
         "Universe": Universe,
         "Line": Line,
+        "Record": Record,
         "Source": Source,
         "Recording": Recording,
         "Readings": Readings,

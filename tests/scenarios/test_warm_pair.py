@@ -20,7 +20,7 @@ def rest(shaft):
     path, oil = ROOT / "inputs/bearings/7205B", ROOT / "inputs/lubricants/vg32"
     held = STRAIGHT | {"z": inputs.held(path, 0.0, 0.0)["z"] + SPREAD}
     scene = heat_scene.Scene(
-        inputs.bearing(path), None, inputs.lubricant(oil), inputs.oil(oil).roughness, 0.0, 0.0,
+        inputs.bearing(path), inputs.lubricant(oil), inputs.oil(oil).roughness, 0.0, 0.0,
         RPM, inputs.ball_density(path), held=held, size=inputs.size(path),
     )  # fmt: skip
     nodes = heat_scene.Nodes(shaft=shaft, housing=COOLING)

@@ -18,6 +18,7 @@ from raceway.theory.bearing import INNER, OUTER
 if TYPE_CHECKING:
     import xarray as xr
 
+    from raceway.runs.record import Record
     from raceway.runs.tables import RunTables
 
 TURNS = 2  # minimum number of cage revolutions needed to identify a whirl
@@ -42,6 +43,17 @@ class CageFigures(NamedTuple):
     pocket_force_mean_N: float
 
 
+def ring_of_cage(record: "Record") -> tuple[int, float] | None:
+    """Return (index of the one-piece cage among the rings of the selected bearing, play of its
+    pockets in m), or None if there is no such cage. The play is NaN in records of earlier
+    versions."""
+    side = record.fixed("ring_raceway").tolist()
+    if CAGE_RING not in side:
+        return None
+    cage, known = side.index(CAGE_RING), "ring_pocket_play" in record.variables
+    return cage, float(record.fixed("ring_pocket_play")[cage]) if known else math.nan
+
+
 def cage_figures(tables: "RunTables") -> CageFigures | None:
     """Return the `CageFigures` of a run, or None if it has no one-piece cage.
 
@@ -57,11 +69,10 @@ def cage_figures(tables: "RunTables") -> CageFigures | None:
     the mean force of a ball on its pocket (N), evaluated at the ends of steps.
     """
     record = tables.record
-    side = record.fixed("ring_raceway").tolist()
-    if CAGE_RING not in side:
+    if (found := ring_of_cage(record)) is None:
         return None
+    (cage, play), side = found, record.fixed("ring_raceway").tolist()
     start, stop = tables.first, len(record) if tables.stop is None else tables.stop
-    cage = side.index(CAGE_RING)
     data = record.read(["ring_spin", "ring_x", "ring_y"], start, stop)
     spin = data["ring_spin"].mean(axis=0)
     inner, outer = (float(spin[side.index(k)]) if k in side else 0.0 for k in (INNER, OUTER))
@@ -72,8 +83,6 @@ def cage_figures(tables: "RunTables") -> CageFigures | None:
     angle, groove = _rolling_slip(tables, start, stop)
     place = data["ring_x"][:, cage] + 1j * data["ring_y"][:, cage]
     place = place - place.mean()
-    has_play = "ring_pocket_play" in record.variables  # records of earlier versions have none
-    play = float(record.fixed("ring_pocket_play")[cage]) if has_play else math.nan
     speeds = {"cage": spin[cage], "inner ring": inner, "outer ring": outer}
     order = whirl_order(place, own * tables.settings["sample_s"], play)
     force = record.read(["ball_pocket_force"], start, stop)["ball_pocket_force"]
@@ -225,11 +234,11 @@ def pockets(tables: "RunTables", start: int, stop: int) -> Pockets | None:
     Return None if there is no one-piece cage or if the record is from an earlier version.
     """
     record = tables.record
-    side = record.fixed("ring_raceway").tolist()
-    if CAGE_RING not in side or "ring_pocket_phase" not in record.variables:
+    found = ring_of_cage(record)
+    if found is None or "ring_pocket_phase" not in record.variables:
         return None
-    cage = side.index(CAGE_RING)
-    phase, play = (float(record.fixed(f"ring_pocket_{name}")[cage]) for name in ("phase", "play"))
+    cage, play = found
+    phase = float(record.fixed("ring_pocket_phase")[cage])
     data = record.read(["ring_x", "ring_y", "ring_z", "ring_angle"], start, stop)
     *place, angle = (values[:, cage] for values in data.values())
     middle = np.stack(

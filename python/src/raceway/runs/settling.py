@@ -7,8 +7,8 @@ import numpy as np
 
 from raceway.core import library
 from raceway.errors import RunError
+from raceway.runs.cage import ring_of_cage
 from raceway.runs.columns import LOSSES
-from raceway.runs.record import CAGE_RING
 from raceway.runs.tables import RunTables
 from raceway.runs.turning import changes
 
@@ -88,14 +88,10 @@ def _samples(tables, first, last):
 def _orbit(tables, first, last):
     """Return the distance of a one-piece cage from the axis for each sample, as a fraction of half
     the play; the array is empty if there is no such cage or if it has no play."""
-    record = tables.record
-    side = record.fixed("ring_raceway").tolist()
-    if CAGE_RING not in side or "ring_pocket_play" not in record.variables:
+    cage, play = ring_of_cage(tables.record) or (0, 0.0)
+    if not play > 0:
         return np.zeros(0)
-    cage = side.index(CAGE_RING)
-    if not (play := float(record.fixed("ring_pocket_play")[cage])) > 0:
-        return np.zeros(0)
-    place = record.read(["ring_x", "ring_y"], first, last)
+    place = tables.record.read(["ring_x", "ring_y"], first, last)
     return np.hypot(place["ring_x"][:, cage], place["ring_y"][:, cage]) / (play / 2)
 
 

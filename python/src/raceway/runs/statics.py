@@ -15,8 +15,8 @@ import numpy as np
 
 from raceway import catalogue, inputs
 from raceway.errors import InputError, NoEquilibrium
+from raceway.runs.cage import ring_of_cage
 from raceway.runs.measured import loading
-from raceway.runs.record import CAGE_RING
 from raceway.runs.record_tables import ring_place
 from raceway.runs.settings import deck_words
 from raceway.runs.tables import RunTables
@@ -187,12 +187,11 @@ def _point(tables, run):
 
 def _cage(record, deck):
     """Return the one-piece cage of a record with data from the `deck`, or None for other cages."""
-    side = record.fixed("ring_raceway").tolist()
-    if CAGE_RING not in side:
+    if (found := ring_of_cage(record)) is None:
         return None
     cage = CageRing(without=frozenset(deck.get("cage_without", "none").split("+")))
-    if "ring_pocket_play" in record.variables:  # records of earlier versions have none
-        cage = cage._replace(play=float(record.fixed("ring_pocket_play")[side.index(CAGE_RING)]))
+    if not math.isnan(found[1]):
+        cage = cage._replace(play=found[1])
     if "cage_filled" in deck:
         cage = cage._replace(filled=float(deck["cage_filled"]))
     if (guide := deck.get("cage_guide", "balls")) != "balls":

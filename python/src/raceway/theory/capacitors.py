@@ -269,15 +269,8 @@ def _thickness(bearing, side, contact: Contacts, oil, speed, clearance, factor):
     thinned = 1.0 if factor is None else factor(speed)
 
     def thickness(load: Numbers) -> Numbers:
-        group = film.group(
-            oil.viscosity,
-            oil.pressure_viscosity,
-            bearing.effective_modulus,
-            r_x,
-            kappa,
-            speed,
-            load,
-        )
+        of = bearing.effective_modulus, r_x, kappa, speed, load
+        group = film.group(oil.viscosity, oil.pressure_viscosity, *of)
         return thinned * film.h_c(r_x, group)
 
     return thickness

@@ -91,15 +91,8 @@ def _film(bearing, side, contact, speeds, oil, clearance, factor):
     values = np.zeros((6, *live.shape))
     angle, (entrained, rolling) = contact.angle[live], speeds[:, live]
     r_x, r_y = bearing.effective_radii(side, angle, clearance)
-    group = film.group(
-        oil.viscosity,
-        oil.pressure_viscosity,
-        bearing.effective_modulus,
-        r_x,
-        hertz.exact(r_x, r_y).kappa,
-        entrained,
-        contact.load[live],
-    )
+    of = bearing.effective_modulus, r_x, hertz.exact(r_x, r_y).kappa, entrained, contact.load[live]
+    group = film.group(oil.viscosity, oil.pressure_viscosity, *of)
     thinned = 1.0 if factor is None else factor(entrained)
     h_min, h_c = thinned * film.h_min(r_x, group), thinned * film.h_c(r_x, group)
     electric = capacitance.contact(
