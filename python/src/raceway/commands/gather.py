@@ -25,11 +25,10 @@ def run(arguments: argparse.Namespace) -> None:
 
     Raise `RacewayError` if there is no sweep.
     """
-    # loading pandas takes longer than printing --help
+    # loading numpy takes longer than printing --help
     from raceway.sweeps.gather import write_results
 
-    path, table = write_results(arguments.folder)
-    counts = table["status"].value_counts()
+    path, counts = write_results(arguments.folder)
     print(
         f"{path}: "
         + ", ".join(

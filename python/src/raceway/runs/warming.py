@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from raceway.arrays import mean
 from raceway.core import laws
 from raceway.errors import RunError
 from raceway.files import FilePath
@@ -74,7 +75,7 @@ def _attributes(name):
 
 def heated(tables: RunTables) -> bool:
     """Return True for a run whose temperatures follow from its losses."""
-    return "temperature_inner" in tables.totals
+    return "temperature_inner" in tables.total_columns
 
 
 def warm_clearance(tables: RunTables) -> float:
@@ -87,7 +88,7 @@ def warm_clearance(tables: RunTables) -> float:
     if not heated(tables):
         return cold
     bearing, ambient = tables.geometry, tables.settings["heat_ambient_C"]
-    rises = [tables.totals[f"temperature_{part}"].mean() - ambient for part in PARTS[:3]]
+    rises = [mean(tables.total_columns[f"temperature_{part}"]) - ambient for part in PARTS[:3]]
     radii = bearing.inner_radius, bearing.outer_radius, bearing.ball_radius
     return cold + float(laws.clearance_change(*radii, *rises))
 
@@ -100,10 +101,8 @@ def figures(tables: RunTables) -> dict[str, float]:
     """
     if not heated(tables):
         return {}
-    found = {
-        f"temperature_{part}_C": float(tables.totals[f"temperature_{part}"].mean())
-        for part in PARTS
-    }
+    columns = tables.total_columns
+    found = {f"temperature_{part}_C": mean(columns[f"temperature_{part}"]) for part in PARTS}
     found["clearance_warm_m"] = warm_clearance(tables)
     if (tables.folder / FILE).exists():
         last = transient(tables.folder).isel(thermal_time=-1)
