@@ -21,7 +21,7 @@ Names given_names(const Names &set, const DataValues::Map &of_file)
   for (const std::string &name : set)
     if (of_file.count(name)) found.insert(name);
   for (const DeckVariable &v : deck_variables())
-    if (v.of_data() && set.count(v.name)) found.insert(v.name);
+    if (set.count(v.name) && v.of_data()) found.insert(v.name);
   return found;
 }
 

@@ -4,12 +4,13 @@
 import io
 import os
 import stat
+import time
 import zipfile
 
 import numpy as np
 import pytest
 from commands import reply
-from raceway import files, ross_file, shaft_file, yaml_file
+from raceway import data_file, files, ross_file, shaft_file, yaml_file
 from raceway.datasets import spec
 from raceway.errors import InputError, RacewayError, RunError
 from raceway.runs import settings
@@ -139,3 +140,26 @@ def test_what_is_no_regular_file_stays(tmp_path, kind, capsys):
     now = os.stat("/dev/full")
     assert (now.st_ino, now.st_mode) == (before.st_ino, before.st_mode)
     assert stat.S_ISCHR(now.st_mode)
+
+
+@pytest.mark.parametrize(
+    "value",
+    ["5000", "mineral", "", "it's", "null", "~", "no", "a: b", "two words", "a\nb", "\u03bc"],
+)
+@pytest.mark.parametrize("name", ["load", "null", "on"])
+def test_yaml_of_texts(name, value):
+    """Texts remain texts, whatever YAML makes of them without quotes."""
+    values = {name: value, "rpm": "477.5"}
+    assert yaml_file.parse(yaml_file.dump(values)) == values
+
+
+def test_a_file_that_changes(tmp_path):
+    """Its data are read again, even if neither its size nor the time of a recent change differs."""
+    path, now = tmp_path / "own", time.time_ns()
+    for balls, changed in (("8", now), ("9", now), ("8", now - 10**10), ("9", now - 10**10 + 1)):
+        path.write_text(f"variable balls index {balls}\n")
+        os.utime(path, ns=(changed, changed))
+        assert data_file.values(path) == {"balls": balls}
+    same = files.version(path)
+    assert files.version(path) == same != files.version(tmp_path)
+    assert files.version(tmp_path / "absent") is None

@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 import raceway
 from commands import reply
+from raceway import yaml_file
 from raceway.electric.films import of_run
 from raceway.errors import RacewayError
 from raceway.report.of_sweep import page
 from raceway.runs.record import Record
-from raceway.sweeps.gather import gather
+from raceway.sweeps.gather import gather, write_results
 from raceway.sweeps.point_run import run_point, state
 from raceway.sweeps.points import TableError, deck_variables, read_points
 from scipy.io import netcdf_file
@@ -60,6 +61,39 @@ def test_broken_figures(points, name, content):
     (points / "c" / name).write_bytes(content)
     assert state(points / "c", {"load": "3"}) == ("pending", "")
     assert gather(points).set_index("point").loc["c", "status"] == "pending"
+
+
+@pytest.mark.parametrize("name", ["point.yaml", "summary.json"])
+def test_a_loss_of_power(folder, name):
+    """It may leave an empty file. Without results, they are computed again; without variables, the
+    point is run again."""
+    variables, command = {"load": "5000"}, ["false", "inputs/in.6208"]
+    (folder / "point.yaml").write_text(yaml_file.dump(variables))
+    assert run_point(folder, variables, command) == ("finished", "")
+    (folder / name).write_bytes(b"")
+    assert state(folder, variables) == ("pending", "")
+    status, _ = run_point(folder, variables, command)
+    assert status == ("finished" if name == "summary.json" else "failed")
+    assert (folder / "record.nc").exists() == (name == "summary.json")
+
+
+def test_numbers_in_the_table(tmp_path):
+    """A variable of which all values are numbers is sorted by value, and each value is kept. A
+    result of the same name replaces what was asked for."""
+    asked = ({"rpm": "477.5", "oil": "b"}, {"rpm": "1e3", "oil": "7"}, {"rpm": "60", "load": "5"})
+    for k, variables in enumerate(asked):
+        (tmp_path / str(k)).mkdir()
+        (tmp_path / str(k) / "point.yaml").write_text(yaml_file.dump(variables))
+    (tmp_path / "0" / "summary.json").write_text(json.dumps({"rpm": 477.5, "balls": 9}))
+    table = gather(tmp_path)
+    assert table["rpm"].to_list() == [60.0, 477.5, 1000.0]
+    assert table["oil"].fillna("").to_list() == ["", "b", "7"]
+    path, counts = write_results(tmp_path)
+    assert counts == {"finished": 1, "pending": 2}
+    assert path.read_text() == (
+        "point,status,message,rpm,oil,load,balls\n2,pending,,60.0,,5,\n0,finished,,477.5,b,,9\n"
+        "1,pending,,1000.0,7,,\n"
+    )
 
 
 def test_a_failure_without_a_message(points):

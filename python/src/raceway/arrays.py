@@ -16,6 +16,27 @@ Numbers = float | Floats  # one number or an array of them
 SHOWN = 6  # arrays up to this length are printed in full; longer ones as shape and range
 
 
+def mean(values: Floats) -> float:
+    """Return the mean of the known `values`, which are not NaN, or NaN if there are none."""
+    known = ~np.isnan(values)
+    count = np.count_nonzero(known)
+    return float(np.where(known, values, 0.0).sum() / count) if count else np.nan
+
+
+def filled(values: Floats) -> Floats:
+    """Return `values` (N,) in which each NaN is replaced by the last number before it, or by the
+    first number if there is none.
+
+    >>> filled(np.array([np.nan, 1.0, np.nan, 3.0]))
+    array([1., 1., 1., 3.])
+    """
+    known = ~np.isnan(values)
+    if not known.any():
+        return values
+    last = np.maximum.accumulate(np.where(known, np.arange(len(values)), known.argmax()))
+    return values[last]
+
+
 def short(result: Any) -> str:
     """Return the text for the `__repr__` of a dataclass or named tuple, with one line per field. A
     nested result is represented by its type and the names of its fields."""

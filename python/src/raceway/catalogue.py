@@ -3,6 +3,7 @@
 own files. `raceway.listing` searches the bearings by other criteria."""
 
 import difflib
+import os
 from pathlib import Path
 
 from raceway import data_table
@@ -25,7 +26,7 @@ def folder(given: FilePath | None = None) -> Path:
         return Path(given)
     here = Path.cwd()
     for place in (here, *here.parents):
-        if all((place / "inputs" / kind).is_dir() for kind in KINDS):
+        if all(os.path.isdir(f"{place}/inputs/{kind}") for kind in KINDS):
             return place / "inputs"
     return SHIPPED
 
@@ -55,7 +56,7 @@ def find(kind: str, name: str, inputs: FilePath | None = None) -> Path:
 
 
 def _there(path):
-    return path.is_file() or path.name in data_table.names(path.parent)
+    return path.is_file() or data_table.has(path)
 
 
 def _names(path):

@@ -8,7 +8,7 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
-from raceway import core, data_table
+from raceway import core, data_table, files
 from raceway.errors import InputError
 from raceway.files import FilePath
 from raceway.sweeps import variable_table
@@ -73,13 +73,14 @@ def comments(path: FilePath) -> dict[str, str]:
 
 def _lines(path):
     """Return the first line of each name in a data file as {name: `data_table.Line`}."""
-    return _lines_of(text(path), path)
+    path = Path(path)
+    return _lines_of(path, files.version(path) or data_table.version(path.parent))
 
 
-@lru_cache(maxsize=256)  # a summary reads the same oil dozens of times
-def _lines_of(content, path):
+@lru_cache(maxsize=256)  # a summary needs the data of the same oil dozens of times
+def _lines_of(path, version):
     found: dict[str, data_table.Line] = {}
-    for number, row in enumerate(content.splitlines(), start=1):
+    for number, row in enumerate(text(path).splitlines(), start=1):
         if line := data_table.line(row, f"{path}, line {number}"):
             found.setdefault(line.name, line)
     return found

@@ -3,10 +3,12 @@
 file of the same name (see `docs/catalogue.rst` for the format)."""
 
 import re
+from collections.abc import Hashable
 from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
+from raceway import files
 from raceway.errors import InputError
 
 # a comment that explains a column or a source
@@ -48,19 +50,37 @@ def text(path: Path) -> str | None:
     """Return the text of the data file that is represented by the row `path.name` of a table in
     `path.parent`, with a comment after each value. Return None if there is no such row. Raises
     `InputError` if a table is invalid."""
-    for table in _tables(path.parent):
-        if path.name in table.rows:
-            return table.text(path.name)
-    return None
+    table = _of_row(path)
+    return table.text(path.name) if table else None
+
+
+def has(path: Path) -> bool:
+    """Return True if a table in `path.parent` has the row `path.name`. Raises `InputError` if a
+    table is invalid."""
+    return _of_row(path) is not None
+
+
+def _of_row(path):
+    return next((table for table in _tables(path.parent) if path.name in table.rows), None)
 
 
 def _tables(folder):
-    for path in sorted(folder.glob("*.csv")):
-        yield _table(path, path.stat().st_mtime_ns)
+    for path in _paths(folder, files.version(folder)):
+        yield _table(path, files.version(path))
+
+
+def version(folder: Path) -> Hashable:
+    """Return the `files.version` of all tables in a folder."""
+    return tuple(map(files.version, _paths(folder, files.version(folder))))
 
 
 @lru_cache(maxsize=8)
-def _table(path, changed):
+def _paths(folder, version):
+    return sorted(folder.glob("*.csv"))
+
+
+@lru_cache(maxsize=8)
+def _table(path, version):
     return _Table(path)
 
 

@@ -1,15 +1,29 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write files such that they appear either complete or not at all."""
+"""Write files such that they appear either complete or not at all, and notice that they change."""
 
 import os
 import stat
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Hashable
 from contextlib import suppress
 from pathlib import Path
 
 from raceway.errors import RunError
 
 FilePath = str | os.PathLike[str]
+RECENT = 10**9  # ns; file systems store the time of a change with a resolution of up to this
+
+
+def version(path: FilePath) -> Hashable:
+    """Return an object that is equal to an earlier one only if the file or folder `path` has not
+    changed since then. It is None if there is no such file."""
+    try:
+        found = os.stat(path)
+    except OSError:
+        return None
+    if time.time_ns() - found.st_mtime_ns < RECENT:  # it may change again at the same time
+        return time.monotonic_ns()
+    return found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns
 
 
 def whole(path: FilePath, write: Callable[[Path], object]) -> Path:

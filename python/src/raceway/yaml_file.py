@@ -3,6 +3,7 @@
 text rather than a boolean. It is an error if a file contains duplicate keys or references."""
 
 import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -12,9 +13,11 @@ from raceway.errors import InputError, RacewayError
 from raceway.files import FilePath
 
 LARGEST = 1 << 18  # characters; parsing a file of this size already takes seconds
-# A line of a flat file whose key and value are plain scalars, without any character that is special
-# in YAML. Runs write such files, and PyYAML takes 7 ms for one of them.
-PLAIN = re.compile(r"([A-Za-z_]\w*): (-?[A-Za-z0-9.+][\w.+/=,;()-]*(?: [\w.+/=,;()-]+)*)", re.ASCII)
+# A line of a flat file whose key is a plain scalar and whose value is another one, without any
+# character that is special in YAML, or is in quotes. Runs and sweeps write such files, and PyYAML
+# takes 7 ms for one of them.
+WORDS = r"-?[A-Za-z0-9.+][\w.+/=,;()-]*(?: [\w.+/=,;()-]+)*"
+PLAIN = re.compile(rf"([A-Za-z_]\w*): (?:({WORDS})|'([^'\x00-\x1f\x7f]*)')", re.ASCII)
 
 
 class _Loader(yaml.BaseLoader):
@@ -59,9 +62,15 @@ def _flat(text):
     found = [PLAIN.fullmatch(line) for line in text.removesuffix("\n").split("\n")]
     if not all(found):
         return None
-    values = {line[1]: line[2] for line in found}
-    plain = len(values) == len(found) and "null" not in {*values, *values.values()}
+    values = {line[1]: line[3] if line[2] is None else line[2] for line in found}
+    plain = len(values) == len(found) and "null" not in {*values, *(line[2] for line in found)}
     return values if plain else None
+
+
+def dump(values: Mapping[str, str]) -> str:
+    """Return the text of a file from which `parse` reads `values`."""
+    text = "".join(f"{name}: '{value}'\n" for name, value in values.items())
+    return text if _flat(text) == values else yaml.safe_dump(dict(values), sort_keys=False)
 
 
 def read(path: FilePath, error: type[RacewayError] = InputError) -> Any:

@@ -51,8 +51,8 @@ std::string NetcdfFile::open(const std::string &path, const NetcdfHeader &header
   batch_ = batch;
   filled_ = sending_ = written_ = countable_ = 0;
   blank_ = header.blank_record();
-  buffer_.resize(header.record_bytes() * batch);
-  sent_.resize(buffer_.size());
+  buffer_.reset(new unsigned char[header.record_bytes() * batch]);
+  sent_.reset(new unsigned char[header.record_bytes() * batch]);
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) return strerror(errno);
   // some file systems do not support locks, which is no reason to reject the file
@@ -128,7 +128,7 @@ std::string NetcdfFile::flush()
   const auto write = [this, bytes, at, first = written_] {
     const size_t one = header_.record_bytes();
     for (size_t k = 0; k < bytes / one; ++k) header_.sum(&sent_[k * one], first + k);
-    return write_all(file_, sent_.data(), bytes, at);
+    return write_all(file_, sent_.get(), bytes, at);
   };
   try {
     writing_ = std::async(std::launch::async, write);

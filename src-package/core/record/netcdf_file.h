@@ -14,6 +14,7 @@
 #include "netcdf_header.h"
 
 #include <future>
+#include <memory>
 
 namespace bearing {
 
@@ -61,7 +62,8 @@ class NetcdfFile {
 
   NetcdfHeader header_;
   std::string head_;    // current bytes of the header
-  std::vector<unsigned char> buffer_, sent_, blank_;
+  std::vector<unsigned char> blank_;
+  std::unique_ptr<unsigned char[]> buffer_, sent_;    // not filled with zeros, which takes time
   std::future<std::string> writing_;    // the pending write of sent_
   size_t batch_ = 1, filled_ = 0, sending_ = 0, written_ = 0, countable_ = 0;
   int file_ = -1;

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
+#include <string_view>
 
 namespace bearing {
 
@@ -270,9 +271,11 @@ std::string DeckVariable::label() const
 
 bool DeckVariable::taken_by(const std::string &command) const
 {
-  std::istringstream list(of);
-  for (std::string one; std::getline(list, one, '|');)
-    if (one == command) return true;
+  for (std::string_view rest = of; !rest.empty();) {
+    const size_t end = rest.find('|');
+    if (rest.substr(0, end) == command) return true;
+    rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
+  }
   return false;
 }
 
@@ -304,7 +307,7 @@ std::string mistyped(const std::set<std::string> &names)
   for (const std::string &name : names) {
     if (find_deck_variable(name) || name.size() < shortest) continue;
     for (const DeckVariable &v : deck_variables())
-      if (!names.count(v.name) && distance(name, v.name) <= slips && v.of_data())
+      if (!names.count(v.name) && v.of_data() && distance(name, v.name) <= slips)
         return "there is no variable '" + name + "', nearest is '" + v.name + "'";
   }
   return "";

@@ -20,11 +20,10 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    # loading pandas takes longer than printing --help
+    # loading numpy takes longer than printing --help
     from raceway.sweeps.gather import write_results
 
-    path, table = write_results(arguments.folder)
-    counts = table["status"].value_counts()
+    path, counts = write_results(arguments.folder)
     print(
         f"{path}: "
         + ", ".join(

@@ -96,7 +96,7 @@ def run(arguments: argparse.Namespace) -> None:
     elif arguments.slurm:
         _write_array(arguments, out, len(points))
     else:
-        from raceway.sweeps.gather import write_shares  # pandas is slow to import
+        from raceway.sweeps.gather import write_shares  # numpy is slow to import
         from raceway.sweeps.point_run import FINISHED, state
         from raceway.sweeps.sweep import sweep
 

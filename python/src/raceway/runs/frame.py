@@ -8,11 +8,13 @@ do not change.
 """
 
 import re
+from functools import cache
 
 _COMPONENT = re.compile(r"((?:ball|cage|ring)_(?:origin_|v|omega|f|m|a|))([xyz])")
 _PLACE = re.compile(r"(?:ball|cage|ring_origin)_([xyz])")
 
 
+@cache
 def own_name(name: str, axis: str) -> str:
     """Return the name that a variable of a record has in the bearing's frame, if the bearing axis
     is the lab `axis`. Raise `ValueError` for an axis other than x, y or z.
@@ -26,6 +28,7 @@ def own_name(name: str, axis: str) -> str:
     return found[1] + "xyz"[("xyz".index(found[2]) - turn) % 3]
 
 
+@cache
 def along(name: str) -> int | None:
     """Return the index (0 to 2) of the coordinate that a position variable contains, or None for
     other variables.

@@ -5,6 +5,7 @@ import math
 from typing import Any
 
 from raceway import catalogue, inputs
+from raceway.arrays import mean
 from raceway.runs.columns import LOSSES
 from raceway.runs.measured import loading
 from raceway.runs.tables import RunTables
@@ -28,12 +29,9 @@ def friction(tables: RunTables) -> dict[str, Any]:
     - `torque_skf_N_m`, `torque_palmgren_N_m`: values from the makers' formulas for the measured
       forces, if the files of bearing and lubricant are available and have the required data
     """
-    totals, rings = tables.totals, tables.rings
-    rings = rings[rings["sample"] > 0]
+    totals = tables.total_columns
     result: dict[str, Any] = dict.fromkeys(KEYS)
-    losses = {
-        key: float(totals[name].mean()) if name in totals else None for key, name in LOSSES.items()
-    }
+    losses = {key: mean(totals[name]) if name in totals else None for key, name in LOSSES.items()}
     known = [loss for loss in losses.values() if loss is not None]
     result["losses_W"] = losses if known else None
     result["power_loss_W"] = sum(known) if known else None
@@ -41,18 +39,18 @@ def friction(tables: RunTables) -> dict[str, Any]:
     if known and abs(spin) > STILL:
         result["friction_torque_N_m"] = result["power_loss_W"] / abs(spin)
     if "asperity_share_top" in totals:
-        top = totals["load_inner"].idxmax()
-        result["asperity_share"] = float(totals["asperity_share_top"].loc[top])
-    result.update(_makers(tables, rings))
+        top = totals["load_inner"].argmax()
+        result["asperity_share"] = float(totals["asperity_share_top"][top])
+    result.update(_makers(tables))
     return result
 
 
-def _makers(tables, rings):
+def _makers(tables):
     """Return the torques of SKF, with the oil level at the centre of the lowest ball, and Palmgren
     in N m."""
     settings = tables.settings
     load = loading(tables)
-    if not tables.lubricated or load is None or "fz" not in rings:
+    if not tables.lubricated or load is None or "fz" not in tables.ring_columns:
         return {}
     try:
         boundary = inputs.boundary(catalogue.find("bearings", settings["bearing"]))

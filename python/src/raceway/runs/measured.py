@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raceway.arrays import Floats
+from raceway.arrays import Floats, mean
 from raceway.runs.tables import RunTables
 from raceway.runs.turning import changes
 from raceway.runs.warming import warm_clearance
@@ -32,7 +32,7 @@ def measured(tables: RunTables) -> dict[str, float | None]:
     """
     rings = _window(tables)
     result = {
-        key: float(rings[name].mean()) if name in rings else None
+        key: mean(rings[name]) if name in rings else None
         for key, name in (
             ("force_x_N", "fx"),
             ("force_y_N", "fy"),
@@ -50,7 +50,7 @@ def measured(tables: RunTables) -> dict[str, float | None]:
     means = {"rpm_inner": inner, "rpm_outer": outer}
     result |= {key: float(values[kept].mean()) for key, values in means.items()}
     result |= {"rpm_least": float(against[kept].min()), "rpm_most": float(against[kept].max())}
-    result["rpm_top"] = float(against[int(tables.totals["load_inner"].to_numpy().argmax())])
+    result["rpm_top"] = float(against[tables.total_columns["load_inner"].argmax()])
     return result
 
 
@@ -94,11 +94,11 @@ def loading(tables: RunTables) -> Loading | None:
     """Return the measured load on the inner ring, which is opposite to the force of the balls, or
     None if the run did not record forces."""
     rings = _window(tables)
-    if "fx" not in rings or "fy" not in rings or not len(rings):
+    if "fx" not in rings or "fy" not in rings or not len(rings["fx"]):
         return None
-    force = rings["fx"].to_numpy() + 1j * rings["fy"].to_numpy()
+    force = rings["fx"] + 1j * rings["fy"]
     radial = float(np.abs(force).mean())
-    axial = -float(rings["fz"].mean()) if "fz" in rings else 0.0
+    axial = -mean(rings["fz"]) if "fz" in rings else 0.0
     # The ball-pass ripple rotates the direction of a steady load by less than this angle.
     return Loading(radial, axial, bool(abs(force.mean()) < math.cos(TURNED) * radial))
 
@@ -115,7 +115,7 @@ def load_parameter(tables: RunTables, displacement: float) -> float | str | None
         return None
     if load and (load.turns or abs(load.axial) > FEW * load.radial):
         return None
-    tilts = [rings[name].mean() for name in ("tilt_1", "tilt_2") if name in rings]
+    tilts = [mean(rings[name]) for name in ("tilt_1", "tilt_2") if name in rings]
     if math.hypot(*tilts) * tables.geometry.pitch_radius > FEW * abs(displacement):
         return None
     if displacement < 0:
@@ -130,9 +130,8 @@ def _kept(tables):
 
 
 def _window(tables):
-    # Select the samples after the start of the window without copying a long table.
-    rings = tables.rings
-    return rings.iloc[int(np.searchsorted(rings["sample"], 0, side="right")) :]
+    """Return the columns of the inner ring without the start of the record."""
+    return {name: values[tables.first == 0 :] for name, values in tables.ring_columns.items()}
 
 
 def title(tables: RunTables) -> str:

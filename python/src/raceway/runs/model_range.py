@@ -17,9 +17,9 @@ import math
 import re
 from collections.abc import Mapping
 from importlib.resources import files
-from itertools import product
 from typing import Any, NamedTuple
 
+import numpy as np
 import yaml
 
 from raceway import catalogue, inputs
@@ -135,15 +135,14 @@ def _films(tables, figures, oil, fluid):
             why.append(INPUTS[key]["why"])
     thinning = _thinning(tables, figures, fluid)
     of, flow = (bearing.effective_modulus, r_x, ellipse.kappa, speed, load), LUBRICANT[:2]
-    found = []
-    for law, viscosity, xi, thin in product(LAWS, *(ends[key] for key in flow), thinning):
-        group = film.group(viscosity, xi, *of)
-        found.append([thin * float(one(r_x, group)) for one in law])
+    groups = film.group(*np.meshgrid(*(ends[key] for key in flow)), *of)
+    # films h_min and h_c, for all laws, values of the inputs and factors of inlet shear
+    films = [np.multiply.outer([law(r_x, groups) for law in laws], thinning) for laws in zip(*LAWS)]
     usual = film.group(*(figures[key] for key in flow), *of)
     # The ratio of the run's film to that of the law contains all other effects on the thickness.
     scale = [figures["h_min_m"] / film.h_min(r_x, usual), figures["h_c_m"] / film.h_c(r_x, usual)]
-    lows = [float(k * min(one[i] for one in found)) for i, k in enumerate(scale)]
-    highs = [float(k * max(one[i] for one in found)) for i, k in enumerate(scale)]
+    lows = [float(k * one.min()) for k, one in zip(scale, films)]
+    highs = [float(k * one.max()) for k, one in zip(scale, films)]
     laws = "Masjedi-Khonsari or Hamrock-Dowson, inlet shear by Murch, Wilson or Gupta"
     flows = "; ".join([text for text in why if text.startswith(("viscosity", "pressure"))] + [laws])
     rough = ends["roughness_m"]

@@ -6,25 +6,27 @@ may still be growing: each read covers the samples that the header counts at tha
 """
 
 import re
+import struct
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from mmap import ACCESS_READ, mmap
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy.io import netcdf_file
 
 from raceway.arrays import Floats
 from raceway.core import library
 from raceway.errors import RunError
 from raceway.files import FilePath
+from raceway.runs import netcdf_header
 from raceway.runs.frame import along, own_name
 
 NAME = "record.nc"
 BLOCK = 8 << 20  # bytes per read
 CHECKSUM = "checksum"  # attribute and variable, see src-package/core/record/netcdf_header.h
 HEADER_SUM = re.compile(rb"sum ([0-9a-f]{8}) of (\d{10}) header bytes")
-BY_SCIPY = (TypeError, ValueError, LookupError, ArithmeticError, AttributeError, AssertionError)
+DAMAGED = (TypeError, ValueError, LookupError, ArithmeticError, MemoryError, struct.error)
 CAGE_RING = 2  # value of ring_raceway for a one-piece cage
 NUMBERS = (("time",), ("time", "ring"), ("time", "bearing"))
 
@@ -56,13 +58,15 @@ class Record:
         if not self.path.exists():
             raise RunError(f"{folder} {_without_record(Path(folder))}")
         try:
-            header = _check_header(self.path)
-            with netcdf_file(self.path, mmap=True) as file:
-                self._describe(file)
-                self._begin = header or self._begin
+            with (
+                open(self.path, "rb") as file,
+                mmap(file.fileno(), 0, access=ACCESS_READ) as content,
+            ):
+                self.checked = _check_header(self.path, content)
+                self._describe(netcdf_header.read(content), content)
         except OSError as error:
             raise RunError(f"cannot read {self.path}: {error.strerror or error}") from None
-        except (*BY_SCIPY, RecursionError, MemoryError):
+        except DAMAGED:
             raise RunError(
                 f"cannot read {self.path}: it is truncated or damaged, or it is not a record"
             ) from None
@@ -71,7 +75,6 @@ class Record:
         if missing := {"time", "ball", "bearing", "ring_bearing", "finished"} - set(self.variables):
             raise RunError(f"{self.path} has no variable {' '.join(sorted(missing))}")
         self.attrs.pop(CHECKSUM, None)
-        self.checked = header > 0
         self._check_length()
         self.bearings = self._fixed["bearing"].tolist()
         if bearing is None and len(self.bearings) == 1:
@@ -82,8 +85,10 @@ class Record:
                 f" bearing {bearing}"
             )
         self.bearing = bearing
+        self._slices: dict[str, slice] = {}  # parts of the dimensions that have been needed
         self._seat = [0.0, 0.0, 0.0] if bearing is None else self._seat_of_outer()
         self.record_bytes = self._row.itemsize
+        self._kept = (0, np.empty(0, self._row))  # the first sample of a block and its samples
         self._numbers: tuple[tuple[int, int], dict[str, Floats]] = ((-1, -1), {})  # none yet
 
     def _check_length(self):
@@ -95,8 +100,7 @@ class Record:
             raise RunError(f"{self.path} is damaged: the checksum of its header is missing")
         bytes_, samples = self.path.stat().st_size, len(self)
         wanted = self._begin + samples * self._row.itemsize
-        finished = bool(np.any(self._fixed["finished"]))
-        if bytes_ < wanted or (finished and bytes_ > wanted):
+        if bytes_ < wanted or (self._finished and bytes_ > wanted):
             raise RunError(
                 f"cannot read {self.path}: it is truncated or damaged: {samples} samples need"
                 f" {wanted} bytes, but it has {bytes_}"
@@ -113,22 +117,30 @@ class Record:
                 " Run its deck again"
             )
 
-    def _describe(self, file):
-        self.attrs = {name: _plain(value) for name, value in file._attributes.items()}
+    def _describe(self, header, content):
+        self.attrs = header.attributes
         axis = self.attrs.get("axis", "z")
-        held = {own_name(name, axis): v for name, v in file.variables.items()}
+        held = {own_name(name, axis): v for name, v in header.variables.items()}
         self.variables = {name: v.dimensions for name, v in held.items()}
-        self.about = {
-            name: {key: _plain(value) for key, value in v._attributes.items()}
-            for name, v in file.variables.items()
-        }
-        self._fixed = {
-            name: v.data.astype(v.data.dtype.newbyteorder("="))
-            for name, v in held.items()
-            if "time" not in v.dimensions
-        }
-        timed = {name: v for name, v in held.items() if "time" in v.dimensions}
-        self._row, self._begin = _row(timed), _begin(file, timed)
+        self._held = header.variables
+        self._fixed = {name: v.values(content) for name, v in held.items() if not v.timed}
+        timed = {name: v for name, v in held.items() if v.timed}
+        self._begin = min(v.begin for v in timed.values())
+        self._row = np.dtype(
+            {
+                "names": list(timed),
+                "formats": [(v.dtype, v.shape) for v in timed.values()],
+                "offsets": [v.begin - self._begin for v in timed.values()],
+                "itemsize": sum(v.size for v in timed.values()),
+            }
+        )
+        self._finished = bool(np.any(self._fixed["finished"]))
+        self._samples = header.samples
+
+    @cached_property
+    def about(self) -> dict[str, dict[str, str | float]]:
+        """The attributes of the variables."""
+        return {name: v.attributes for name, v in self._held.items()}
 
     def _seat_of_outer(self):
         """Return the origin of the bearing's frame in the host's box, in components of that
@@ -146,6 +158,8 @@ class Record:
 
     def __len__(self) -> int:
         """Return the number of samples that the header counts at this time."""
+        if self._finished:
+            return self._samples
         with open(self.path, "rb", buffering=0) as file:
             return int.from_bytes(
                 file.read(8)[4:], "big"
@@ -155,9 +169,11 @@ class Record:
         """Return the slice of a dimension that belongs to the selected bearing."""
         if self.bearing is None or dimension not in ("ball", "cage_ball", "ring", "bearing"):
             return slice(None)
-        owner = self._fixed["bearing" if dimension == "bearing" else f"{dimension}_bearing"]
-        here = np.flatnonzero(owner == self.bearing)
-        return slice(here[0], here[-1] + 1) if len(here) else slice(0, 0)
+        if dimension not in self._slices:
+            owner = self._fixed["bearing" if dimension == "bearing" else f"{dimension}_bearing"]
+            here = np.flatnonzero(owner == self.bearing)
+            self._slices[dimension] = slice(here[0], here[-1] + 1) if len(here) else slice(0, 0)
+        return self._slices[dimension]
 
     def fixed(self, name: str) -> np.ndarray:
         """Return the values of a variable without a time dimension for the selected bearing."""
@@ -167,35 +183,52 @@ class Record:
     def read(self, names: list[str], start: int = 0, stop: int | None = None) -> dict[str, Floats]:
         """Return {name: array} for variables with a time dimension, in native byte order.
 
-        The arrays cover the selected bearing. The file is read only once. Variables with one number
-        per sample and bearing or ring are read together and cached until other samples are
-        requested, because a summary reads such variables one by one.
+        The arrays cover the selected bearing. The file is read only once. A block that was read is
+        kept until another one is read. From a record that is larger, variables with one number per
+        sample and bearing or ring are read together and kept, because a summary reads such
+        variables one by one.
         """
         first, last, _ = slice(start, stop).indices(len(self))
         numbers = [n for n, dims in self.variables.items() if dims in NUMBERS]
-        if not set(names) <= set(numbers):
+        if last - first <= self._block or not set(names) <= set(numbers):
             return self._scan(names, first, last)
         if self._numbers[0] != (first, last):
             self._numbers = (first, last), self._scan(numbers, first, last)
         return {name: self._numbers[1][name] for name in names}
 
     def _scan(self, names, first, last):
-        """Return {name: array} for the samples `first` to `last`, reading a few MB at a time."""
+        """Return {name: array} for the samples `first` to `last`."""
         parts = {n: (slice(None), *self._parts(n)) for n in names}
         count = max(0, last - first)
         none = np.empty(0, self._row)
         found = {n: np.empty((count, *none[n][part].shape[1:])) for n, part in parts.items()}
-        rows = np.empty(min(count, max(1, BLOCK // self.record_bytes)), self._row)
+        for at, rows in self._rows(first, count):
+            for name, part in parts.items():
+                found[name][at : at + len(rows)] = rows[name][part]
+        return {name: self._from_seat(name, values) for name, values in found.items()}
+
+    def _rows(self, first, count):
+        """Yield (number from 0, samples) for blocks of `count` samples from `first`."""
+        kept, rows = self._kept
+        if kept <= first and first + count <= kept + len(rows):
+            yield 0, rows[first - kept : first - kept + count]
+            return
+        rows = np.empty(min(count, self._block), self._row)
         with open(self.path, "rb", buffering=0) as file:
             file.seek(self._begin + first * self.record_bytes)
-            for at in range(0, count, max(1, len(rows))):
+            for at in range(0, count, self._block):
                 some = rows[: count - at]
                 if file.readinto(memoryview(some).cast("B")) != some.nbytes:
                     raise RunError(f"{self.path} ends before its sample {first + at + len(some)}")
                 self._check_samples(some, first + at)
-                for name, part in parts.items():
-                    found[name][at : at + len(some)] = some[name][part]
-        return {name: self._from_seat(name, values) for name, values in found.items()}
+                yield at, some
+        if count <= self._block:
+            self._kept = first, rows
+
+    @property
+    def _block(self):
+        """Number of samples in a block."""
+        return max(1, BLOCK // self.record_bytes)
 
     def shape(self, name: str) -> tuple[int, ...]:
         """Return the shape of one sample of a variable with a time dimension, for the selected
@@ -221,7 +254,7 @@ class Record:
     def _scattered(self, name, samples):
         """Return a variable at scattered samples. Those in between are read only if all of them
         fit into one block."""
-        if np.size(samples) and (np.ptp(samples) + 1) * self.record_bytes <= BLOCK:
+        if np.size(samples) and np.ptp(samples) < self._block:
             first = np.min(samples)
             return self._scan([name], first, np.max(samples) + 1)[name][samples - first]
         parts = self._parts(name)
@@ -258,9 +291,8 @@ class Record:
         stop = len(self) if stop is None else min(stop, len(self))
         if start >= stop:
             raise RunError(f"{self.path} has {len(self)} samples, none from number {start} on")
-        size = max(1, BLOCK // self.record_bytes)
-        for first in range(start, stop, size):
-            yield first, min(first + size, stop)
+        for first in range(start, stop, self._block):
+            yield first, min(first + self._block, stop)
 
     def timed(self, prefix: str) -> list[str]:
         """Return the names of the variables with a time dimension that begin with `prefix`."""
@@ -303,19 +335,16 @@ def _without_record(folder):
     )
 
 
-def _check_header(path):
-    """Return the size in bytes of a header with a valid checksum, or 0 if it has no checksum."""
-    with open(path, "rb") as file:
-        head = file.read(1 << 16)
-        if not (said := HEADER_SUM.search(head)):
-            return 0
-        head += file.read(max(0, int(said[2]) - len(head)))
-    head = bytearray(head[: int(said[2])])
+def _check_header(path, content):
+    """Return True if the header has a valid checksum, and False if it has no checksum."""
+    if not (said := HEADER_SUM.search(content, 0, 1 << 16)):
+        return False
+    head = bytearray(content[: int(said[2])])
     head[4:8] = bytes(4)  # number of samples
     head[slice(*said.span(1))] = b"0" * 8
     if len(head) < int(said[2]) or _sums(head, 1) != int(said[1], 16):
         raise RunError(f"cannot read {path}: it is truncated or damaged in its header")
-    return len(head)
+    return True
 
 
 def _sums(content, samples, first=None):
@@ -336,31 +365,3 @@ def _sums(content, samples, first=None):
         sums=sums,
     )
     return sums.view(np.uint32)
-
-
-def _plain(value):
-    return value.decode() if isinstance(value, bytes) else float(np.ravel(value)[0])
-
-
-def _place(variable):
-    """Return the memory address of the first value of a variable."""
-    return variable.data.__array_interface__["data"][0]
-
-
-def _begin(file, timed):
-    """Return the offset of the first sample in a file that has samples."""
-    first = min(map(_place, timed.values()), default=0)
-    return first - file._mm_buf.__array_interface__["data"][0]
-
-
-def _row(timed):
-    """Return the dtype of one sample, with all variables that depend on time at their offsets."""
-    begin = min(map(_place, timed.values()), default=0)
-    return np.dtype(
-        {
-            "names": list(timed),
-            "formats": [(v.data.dtype, v.data.shape[1:]) for v in timed.values()],
-            "offsets": [_place(v) - begin for v in timed.values()],
-            "itemsize": next((v.data.strides[0] for v in timed.values()), 1),
-        }
-    )

@@ -1,29 +1,36 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Functions that return samples of a record as `DataFrame` objects.
+"""Functions that return samples of a record as `DataFrame` objects or as dicts of columns.
 
 Each function takes the `record` and a range of samples from `start` to `stop`. The column `sample`
-counts from the start of the record. All values are in SI units.
+counts from the start of the record. All values are in SI units. A summary uses the columns, because
+loading pandas takes longer than computing it.
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-import pandas as pd
 
 from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs.columns import ATOM
 from raceway.runs.record import CAGE_RING, Record
 
+if TYPE_CHECKING:
+    import pandas as pd
+
 # Atom types. An inner ring has the type RINGS, an outer ring RINGS + 1, a one-piece cage RINGS + 2.
 BALL, CAGE, RINGS = 1, 2, 3
 MOTION = list(ATOM)[2:]  # position, velocity and spin
 
 
-def contacts(record: Record, start: int, stop: int) -> pd.DataFrame:
+def contacts(record: Record, start: int, stop: int) -> "pd.DataFrame":
     """Return a table with one row for each active contact and sample.
 
     It has a column `groove` if rings have two grooves. Its `attrs` contain the `first` sample and
     the number of `samples`. Raise `RunError` if the record has no loads.
     """
+    import pandas as pd
+
     record.need_contacts()
     if "load" not in record.contact_columns:
         raise RunError(f"{record.path} has no column load: record it with the other columns")
@@ -54,12 +61,14 @@ def _rings_of_balls(record):
     return number[:, record.fixed("ball_bearing")]
 
 
-def atoms(record: Record, start: int, stop: int) -> pd.DataFrame:
+def atoms(record: Record, start: int, stop: int) -> "pd.DataFrame":
     """Return a table with one row for each sample and ball, cage ball or ring.
 
     The spin of a ring is about its own axis. The `attrs` of the table contain the `first` sample
     and the number of `samples`. Raise `RunError` if the record has no ball motion.
     """
+    import pandas as pd
+
     if "ball_x" not in record.variables:
         raise RunError(f"{record.path} is a summary: it does not contain the motion of the balls")
     parts = []
@@ -104,8 +113,8 @@ def ring_place(record: Record, side: int, start: int, stop: int) -> list[Floats]
     return [value + at for value, at in zip(found, [*origin, 0.0, 0.0])]
 
 
-def rings(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """Return a table with one row for each sample: step, time, motion of the inner ring and the
+def rings(record: Record, start: int, stop: int) -> dict[str, Floats]:
+    """Return columns with one value for each sample: step, time, motion of the inner ring and the
     forces on it."""
     record.need_one()
     inner = int(np.flatnonzero(record.fixed("ring_raceway") == 0)[0])
@@ -118,12 +127,11 @@ def rings(record: Record, start: int, stop: int) -> pd.DataFrame:
     if (name := "bearing_capacitance") in record.variables:
         columns["capacitance"] = record.read([name], start, stop)[name][:, 0]
     columns["sample"] = np.arange(start, start + len(data["time"]))
-    return pd.DataFrame(columns)
+    return columns
 
 
-def totals(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """Return a table of sums and extremes over the bearing, with one row for each sample, indexed
-    by the number of the sample."""
+def totals(record: Record, start: int, stop: int) -> dict[str, Floats]:
+    """Return columns of sums and extremes over the bearing, with one value for each sample."""
     record.need_one()
     for name in ("contacts", "loaded_balls", "pressure_inner", "pressure_outer", "cage_speed"):
         record.variables[f"bearing_{name}"]  # raises an error if it is missing
@@ -131,5 +139,4 @@ def totals(record: Record, start: int, stop: int) -> pd.DataFrame:
     columns = {name.removeprefix("bearing_"): values[:, 0] for name, values in data.items()}
     columns |= {name: columns[name].astype(int) for name in ("contacts", "loaded_balls")}
     columns["pressure"] = np.fmax(columns["pressure_inner"], columns["pressure_outer"])
-    index = pd.RangeIndex(start, start + len(columns["pressure"]), name="sample")
-    return pd.DataFrame(columns, index=index)
+    return columns

@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 
+from raceway.arrays import filled
 from raceway.core import library
 from raceway.errors import RunError
 from raceway.runs.cage import ring_of_cage
@@ -47,19 +48,20 @@ def settling(tables: RunTables) -> dict[str, float | None]:
     samples = _samples(tables, first, last)
     passes = min(MOST, (last - first) // samples)
     first = last - passes * samples
-    totals = tables.totals.loc[first : last - 1]
+    here = slice(first - tables.first, last - tables.first)
+    totals = {name: values[here] for name, values in tables.total_columns.items()}
     losses = [totals[name] for name in LOSSES.values() if name in totals]
     # The cage speed is recorded once per step.
-    power = sum(losses).ffill().bfill() if losses else None
+    power = filled(sum(losses)) if losses else np.full(passes * samples, math.nan)
     balls, orbit = _balls(tables, first, last), _orbit(tables, first, last)
     found = library().call(
         "settling",
         passes=passes,
         samples=samples,
         balls=balls["load"].shape[1],
-        torque=power.to_numpy() if losses else np.full(passes * samples, math.nan),
-        load=totals[["load_inner", "load_outer"]].to_numpy(),
-        cage_speed=totals["cage_speed"].to_numpy(),
+        torque=power,
+        load=np.stack([totals["load_inner"], totals["load_outer"]], axis=-1),
+        cage_speed=totals["cage_speed"],
         cage_orbit=orbit if orbit.size else np.zeros(passes * samples),
         ball_load=balls["load"],
         place=balls["place"],
@@ -101,8 +103,10 @@ def _balls(tables, first, last):
     record, samples = tables.record, last - first
     try:
         load = record.read(["load"], first, last)["load"].sum(axis=1)
-        names = [f"ball_{name}" for name in ("x", "y", "z", "omegax", "omegay", "omegaz")]
-        read = np.stack(list(record.read(names, first, last).values()), axis=-1)
+        place, spin = (
+            np.stack(list(record.read([f"ball_{way}{x}" for x in "xyz"], first, last).values()), -1)
+            for way in ("", "omega")
+        )
     except RunError:
         return {"load": np.zeros((samples, 0)), "place": np.zeros(0), "spin": np.zeros(0)}
-    return {"load": np.nan_to_num(load), "place": read[..., :3], "spin": read[..., 3:]}
+    return {"load": np.nan_to_num(load), "place": place, "spin": spin}

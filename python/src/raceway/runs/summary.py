@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from raceway.arrays import Floats
+from raceway.arrays import Floats, mean
 from raceway.errors import RunError
 from raceway.runs import warming
 from raceway.runs.cage import cage_figures, cage_ranges
@@ -95,8 +95,9 @@ def summary(tables: RunTables) -> dict[str, Any]:
 
 
 def _need_window(tables):
-    count = len(tables.rings)
-    if not (tables.rings["sample"] > 0).any():
+    sample = tables.ring_columns["sample"]
+    if not (sample > 0).any():
+        count = len(sample)
         raise RunError(
             f"{tables.record.path} has {count} sample{'s' * (count != 1)}: results are means over"
             " the samples after the start, but there are none"
@@ -116,7 +117,7 @@ def _need_agreement(tables):
         read = record.read(["load"], first, stop)["load"]
         for raceway, name in NAME.items():
             own = read[:, raceway * grooves : (raceway + 1) * grooves].max(axis=(1, 2))
-            said = tables.totals[f"load_{name}"].loc[first : stop - 1].to_numpy()
+            said = tables.total_columns[f"load_{name}"][first - tables.first : stop - tables.first]
             if len(wrong := np.flatnonzero(~np.isclose(own, said, rtol=1e-6, atol=0))):
                 raise RunError(
                     f"{record.path} is damaged: in sample {first + wrong[0] + 1} the largest load"
@@ -150,7 +151,8 @@ def numerical_errors(tables: RunTables) -> dict[str, float]:
 
 
 def _warnings(tables, figures):
-    thinnest = tables.totals["lambda"].min() if "lambda" in tables.totals else None
+    ratio = tables.total_columns.get("lambda")
+    thinnest = None if ratio is None else np.fmin.reduce(ratio)
     return doubts(
         {
             "pressure": max(figures["p_max_inner_Pa"], figures["p_max_outer_Pa"]),
@@ -210,7 +212,7 @@ def _past_shoulder(tables):
 
 def ring_displacement(tables: RunTables) -> Floats:
     """Return the displacement of the inner ring along the load in m, with one value per sample."""
-    return _along_load(tables, tables.rings["x"].to_numpy(), tables.rings["y"].to_numpy())
+    return _along_load(tables, tables.ring_columns["x"], tables.ring_columns["y"])
 
 
 def _along_load(tables, x, y):
@@ -220,36 +222,36 @@ def _along_load(tables, x, y):
 
 def _of_bearing(tables):
     """Return the results that follow from sums and extremes over the bearing."""
-    table = tables.totals
+    table = tables.total_columns
+    most = {name: float(np.fmax.reduce(values)) for name, values in table.items()}
     for name in NAME.values():
-        if not table[f"load_{name}"].max() > 0:
+        if not most[f"load_{name}"] > 0:
             raise RunError(
                 f"{tables.record.path}: no ball touches the {name} raceway in any sample"
             )
-    top = table.loc[table["load_inner"].idxmax()]
+    top = {name: values[table["load_inner"].argmax()] for name, values in table.items()}
     result = _displacement(tables)
-    result["q_max_N"] = max(table[f"load_{name}"].max() for name in NAME.values())
+    result["q_max_N"] = max(most[f"load_{name}"] for name in NAME.values())
     for name in NAME.values():
-        result[f"q_{name}_max_N"] = table[f"load_{name}"].max()
+        result[f"q_{name}_max_N"] = most[f"load_{name}"]
     for name in NAME.values():
-        result[f"p_max_{name}_Pa"] = table[f"pressure_{name}"].max()
-    result["loaded_balls_mean"] = table["loaded_balls"].mean()
-    result["cage_speed_rad_s"] = table["cage_speed"].mean()
+        result[f"p_max_{name}_Pa"] = most[f"pressure_{name}"]
+    result["loaded_balls_mean"] = mean(table["loaded_balls"])
+    result["cage_speed_rad_s"] = mean(table["cage_speed"])
     result["entrainment_speed_m_s"] = top["entrainment_top"]
     for key, column in (("h_min_m", "h_min"), ("h_c_m", "h_c"), ("lambda", "lambda")):
         result[key] = top.get(f"{column}_top")
-    wet = "capacitance" in table
-    result["capacitance_F"] = table["capacitance"].mean() if wet else None
-    result["capacitance_top_F"] = table["capacitance_top"].max() if wet else None
+    result["capacitance_F"] = mean(table["capacitance"]) if "capacitance" in table else None
+    result["capacitance_top_F"] = most.get("capacitance_top")
     whole = table.get("capacitance_total")
-    result["capacitance_total_F"] = None if whole is None else whole.mean()
+    result["capacitance_total_F"] = None if whole is None else mean(whole)
     return result
 
 
 def _displacement(tables):
     """Displacement of the inner ring relative to the outer ring, which a load or a soft housing may
     also displace."""
-    later = tables.rings["sample"] > 0
+    later = slice(tables.first == 0, None)
     shift = ring_displacement(tables)[later].mean()
     outer = tables.record.fixed("ring_raceway") == OUTER
     if outer.any():

@@ -4,20 +4,22 @@
 from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
-import pandas as pd
 from numpy.typing import ArrayLike
 
 from raceway.arrays import Floats, Numbers
 from raceway.errors import RunError
 from raceway.files import FilePath
 from raceway.runs import record_tables
-from raceway.runs.pairs import pairs
 from raceway.runs.record import Record
 from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, settings
 from raceway.runs.turning import Motion, Turning
 from raceway.theory.bearing import Bearing
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 READERS = {"contacts": record_tables.contacts, "balls": record_tables.atoms}
 
@@ -25,11 +27,11 @@ READERS = {"contacts": record_tables.contacts, "balls": record_tables.atoms}
 class RunTables:
     """The `settings` of a run and its samples as tables, which are read on first use.
 
-    Tables are `DataFrame` objects in SI units. Their column `sample` counts the samples of the
-    measured window from 0. For a run larger than memory, `samples`, a slice without a step, selects
-    a range of samples, or `blocks` reads all of them one block at a time. A run that is still
-    running or was stopped can be read up to its latest sample; `finished` is then False. `bearing`
-    selects one of several bearings by its number, counted from 1.
+    Tables are `DataFrame` objects in SI units, or dicts of columns. Their column `sample` counts
+    the samples of the measured window from 0. For a run larger than memory, `samples`, a slice
+    without a step, selects a range of samples, or `blocks` reads all of them one block at a time. A
+    run that is still running or was stopped can be read up to its latest sample; `finished` is then
+    False. `bearing` selects one of several bearings by its number, counted from 1.
 
     Raises `RunError` if the record is missing or broken, or if `run.yaml` belongs to another run.
     """
@@ -86,7 +88,7 @@ class RunTables:
         if missing := [key for key in AT_THE_END if key not in self.settings]:
             raise RunError(f"run has not finished: {path} has no {' and no '.join(missing)}")
 
-    @property
+    @cached_property
     def geometry(self) -> Bearing:
         """The `Bearing` that was simulated."""
         self.record.need_one()
@@ -115,35 +117,53 @@ class RunTables:
         return 2 * bearing.pitch_radius * np.sin(np.pi / (2 * bearing.balls)) - bearing.ball_radius
 
     @cached_property
-    def contacts(self) -> pd.DataFrame:
+    def contacts(self) -> "pd.DataFrame":
         """One row for each sample and active contact of a ball with a raceway."""
         return record_tables.contacts(self.record, self.first, self.last)
 
     @cached_property
-    def balls(self) -> pd.DataFrame:
+    def balls(self) -> "pd.DataFrame":
         """One row for each atom and sample."""
         return record_tables.atoms(self.record, self.first, self.last)
 
     @cached_property
-    def rings(self) -> pd.DataFrame:
-        """One row for each sample: position and motion of the inner ring."""
+    def ring_columns(self) -> dict[str, Floats]:
+        """The columns of `rings`."""
         return record_tables.rings(self.record, self.first, self.last)
 
     @cached_property
-    def totals(self) -> pd.DataFrame:
-        """One row for each sample: sums and extremes over the bearing."""
+    def rings(self) -> "pd.DataFrame":
+        """One row for each sample: position and motion of the inner ring."""
+        import pandas as pd
+
+        return pd.DataFrame(self.ring_columns)
+
+    @cached_property
+    def total_columns(self) -> dict[str, Floats]:
+        """The columns of `totals`."""
         return record_tables.totals(self.record, self.first, self.last)
 
     @cached_property
-    def pairs(self) -> pd.DataFrame:
+    def totals(self) -> "pd.DataFrame":
+        """One row for each sample: sums and extremes over the bearing."""
+        import pandas as pd
+
+        count = len(self.total_columns["pressure"])
+        index = pd.RangeIndex(self.first, self.first + count, name="sample")
+        return pd.DataFrame(self.total_columns, index=index)
+
+    @cached_property
+    def pairs(self) -> "pd.DataFrame":
         """Result of `pairs.pairs` for the contacts: one row for each sample and ball that is loaded
         on both raceways."""
+        from raceway.runs.pairs import pairs
+
         return pairs(self.contacts)
 
     @property
     def bearing_capacitance(self) -> Floats:
         """Capacitance of the bearing in F (eq 12), with one value per sample."""
-        return self.record.known(self.totals)["capacitance"].to_numpy()
+        return self.record.known(self.total_columns)["capacitance"]
 
     @cached_property
     def last(self) -> int:
@@ -152,7 +172,7 @@ class RunTables:
         *_, (_, last) = self.record.blocks(self.first, self.stop)
         return last
 
-    def blocks(self, name: str) -> Iterator[pd.DataFrame]:
+    def blocks(self, name: str) -> Iterator["pd.DataFrame"]:
         """Yield the table `name`, "contacts" or "balls", in blocks of a few MB that consist of
         whole samples.
 
@@ -165,7 +185,7 @@ class RunTables:
         for part in self.record.blocks(self.first, self.last):
             yield READERS[name](self.record, *part)
 
-    def by_raceway(self, contacts: pd.DataFrame) -> dict[str, np.ndarray]:
+    def by_raceway(self, contacts: "pd.DataFrame") -> dict[str, np.ndarray]:
         """Return a dict that maps "inner" and "outer" to masks of the rows of `contacts`.
 
         If a ball may touch two grooves of a ring, the keys are "inner_0", "inner_1", "outer_0" and
@@ -186,7 +206,7 @@ class RunTables:
         range from -pi to pi."""
         return np.mod(azimuth - self.settings["load_azimuth_rad"] + np.pi, 2 * np.pi) - np.pi
 
-    def angles(self, contacts: pd.DataFrame) -> Floats:
+    def angles(self, contacts: "pd.DataFrame") -> Floats:
         """Return the azimuths of the rows of `contacts` in rad, relative to the centre of the load
         zone. Raise `RunError` if the run has not recorded them."""
         if "azimuth" not in contacts:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from raceway.arrays import mean
 from raceway.core import laws
 from raceway.errors import RunError
 from raceway.files import FilePath
@@ -77,8 +78,8 @@ def heated(tables: RunTables) -> bool:
 
     Of several bearings in a run, only some may be heated.
     """
-    totals = tables.totals
-    return "temperature_inner" in totals and bool(totals["temperature_inner"].notna().any())
+    inner = tables.total_columns.get("temperature_inner")
+    return inner is not None and bool(np.isfinite(inner).any())
 
 
 def warm_clearance(tables: RunTables) -> float:
@@ -91,7 +92,7 @@ def warm_clearance(tables: RunTables) -> float:
     if not heated(tables):
         return cold
     bearing, ambient = tables.geometry, tables.settings["heat_ambient_C"]
-    rises = [tables.totals[f"temperature_{part}"].mean() - ambient for part in PARTS[:3]]
+    rises = [mean(tables.total_columns[f"temperature_{part}"]) - ambient for part in PARTS[:3]]
     radii = bearing.inner_radius, bearing.outer_radius, bearing.ball_radius
     return cold + float(laws.clearance_change(*radii, *rises))
 
@@ -104,7 +105,7 @@ def _last_jump(tables):
     last = transient(tables.folder).isel(thermal_time=-1)
     parts = PARTS[:3]
     at = [float(last[f"temperature_{part}"]) for part in parts]
-    end = [tables.totals[f"temperature_{part}"].iloc[-1] for part in parts]
+    end = [float(tables.total_columns[f"temperature_{part}"][-1]) for part in parts]
     # the record contains the temperatures of the table with single precision or better
     own = len(tables.record.bearings) == 1 or np.allclose(at, end, rtol=1e-6, atol=0)
     return last if own else None
@@ -118,10 +119,8 @@ def figures(tables: RunTables) -> dict[str, float]:
     """
     if not heated(tables):
         return {}
-    found = {
-        f"temperature_{part}_C": float(tables.totals[f"temperature_{part}"].mean())
-        for part in PARTS
-    }
+    columns = tables.total_columns
+    found = {f"temperature_{part}_C": mean(columns[f"temperature_{part}"]) for part in PARTS}
     found["clearance_warm_m"] = warm_clearance(tables)
     last = _last_jump(tables)
     if last is not None:

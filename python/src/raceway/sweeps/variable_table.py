@@ -2,6 +2,7 @@
 """The variables that decks take from the command line, as listed in the C++ table."""
 
 from collections.abc import Mapping
+from functools import cache
 from typing import Any
 
 from raceway import core
@@ -20,6 +21,7 @@ def rows() -> list[dict[str, Any]]:
     return core.table("variables")
 
 
+@cache
 def default(name: str) -> str:
     """Return the default of a variable as text, which is empty if the command or the data files
     define it."""

@@ -6,8 +6,6 @@ The predictions differ considerably between laws: L_a is 0.26 to 0.67 at Lambda 
 """
 
 import numpy as np
-from scipy.special import gamma as factorial
-from scipy.special import pbdv
 
 from raceway.arrays import Numbers
 from raceway.core import laws
@@ -40,6 +38,9 @@ def overlap_integral(ratio: Numbers, order: float = 2.5) -> Numbers:
     This is the mean of (s - Lambda)^n, counted as zero for s below Lambda, where s is a standard
     normal variable (Greenwood, Tripp 1970).
     """
+    from scipy.special import gamma as factorial  # loading it takes longer than a summary of a run
+    from scipy.special import pbdv
+
     cylinder = pbdv(-order - 1, ratio)[0]
     return factorial(order + 1) / np.sqrt(2 * np.pi) * np.exp(-np.square(ratio) / 4) * cylinder
 

@@ -31,7 +31,6 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import root
 
 from raceway.arrays import Floats, short
 from raceway.core import laws
@@ -400,6 +399,8 @@ def _several(bearing, one, sides, ring, spin_law, fluid, surfaces):
         slid = sliding.heathcote(slide, one.load, one.friction, one.speed, one.a, one.r_d, one.r_x)
         return slid.power, np.abs(rate) * one.spin_moment
     curve = one.speed / (2 * one.r_d * one.r_x)
+
+    from scipy.optimize import root  # loading it takes longer than a summary of a run
 
     def resist(motion):
         each = zip(one.load, one.friction, one.a, one.b, *rates(motion), curve)
