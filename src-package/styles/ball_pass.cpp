@@ -140,10 +140,13 @@ std::vector<Row> rows_of(LAMMPS *lmp, const PairCoefficients &coefficients,
 
 }    // namespace
 
-size_t ball_rows(LAMMPS *lmp, const std::string &command)
+std::vector<BallRow> ball_rows(LAMMPS *lmp, const std::string &command, double angle)
 {
   const PairCoefficients &coefficients = PairBearingHertz::find(lmp, command)->coefficients();
-  return rows_of(lmp, coefficients, bodies_of(lmp, coefficients)).size();
+  const std::vector<Body> bodies = bodies_of(lmp, coefficients);
+  std::vector<BallRow> all;
+  for (const Row &row : rows_of(lmp, coefficients, bodies)) all.push_back({row.balls, row.pass(angle)});
+  return all;
 }
 
 double ball_pass_time(LAMMPS *lmp, const std::string &command, double angle)

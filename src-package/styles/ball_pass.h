@@ -6,6 +6,7 @@
 #include "bearing_compat.h"
 
 #include <string>
+#include <vector>
 
 namespace bearing {
 
@@ -16,8 +17,14 @@ namespace bearing {
 // with an error that names `command` if there is no bearing, no imposed speed or no rotation.
 double ball_pass_time(LAMMPS_NS::LAMMPS *, const std::string &command, double angle);
 
-// Returns the number of rows of balls that run between an inner and an outer ring. Must be called
-// on all ranks.
-size_t ball_rows(LAMMPS_NS::LAMMPS *, const std::string &command);
+// A row of balls between an inner and an outer ring.
+struct BallRow {
+  double balls;    // number of balls
+  double pass;     // s, duration of a ball pass, not finite if the balls do not move
+};
+
+// Returns all rows of balls. The arguments are those of ball_pass_time(). Must be called on all
+// ranks.
+std::vector<BallRow> ball_rows(LAMMPS_NS::LAMMPS *, const std::string &command, double angle);
 
 }    // namespace bearing

@@ -94,16 +94,16 @@ FixBearingImplicit::Control FixBearingImplicit::control() const
   return {tolerance_, settings.relative, settings.cage * tolerance_, settings.estimate};
 }
 
-void FixBearingImplicit::coarse(bool yes)
+void FixBearingImplicit::coarse(double correction)
 {
   BearingIntegrator::Settings &settings = solver_->settings;
   settings = solver_->fine;
-  if (!yes || !can_be_coarse()) return;
+  if (correction == 0.0 || !can_be_coarse()) return;
   settings.dampers_only = false;
   settings.order = 1;
   settings.estimate = false;
   settings.error = 100.0;
-  settings.newton = std::max(settings.newton, 1e-9);
+  settings.newton = std::max(settings.newton, correction);
 }
 
 bool FixBearingImplicit::coarse_saves() const

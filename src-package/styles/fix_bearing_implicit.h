@@ -63,9 +63,10 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   double sampling_rate() const { return sampling_ * oversampling_; }
 
   // Selects coarse implicit steps, which damp all vibration, for the time while the bearing
-  // settles, or otherwise the steps specified in the deck. In decks that measure vibration, the
-  // specified steps are always used.
-  void coarse(bool);
+  // settles. The last correction of such a step may be as large as `correction` (m), or the
+  // tolerance if that is larger; 0 selects the steps specified in the deck. In decks that measure
+  // vibration, the specified steps are always used.
+  void coarse(double correction);
   bool can_be_coarse() const { return sampling_ == 0.0; }
   // Returns false if the steps specified in the deck take hardly more time than coarse steps.
   bool coarse_saves() const;

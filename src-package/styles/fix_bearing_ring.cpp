@@ -99,7 +99,7 @@ void FixBearingRing::find_rings()
 bool FixBearingRing::constant() const
 {
   const RingProgram &p = settings_.program;
-  return !called_back_ && p.turning.size == 0.0 && p.unbalance.moment == 0.0 && !p.apart &&
+  return !called_back_ && p.turning.size == 0.0 && p.unbalance.moment == 0.0 &&
          std::none_of(p.mode, p.mode + RingProgram::SPIN,
                       [](Freedom f) { return f == Freedom::speed; }) &&
          p.mode[RingProgram::SPIN] != Freedom::position;

@@ -59,7 +59,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   const bearing::StatedLoads &stated_loads() const { return settings_.stated; }
   // Returns true if the imposed loads and motions are constant after the ramp and do not depend on
   // the ring's angle.
-  bool constant() const;
+  virtual bool constant() const;
   double ramp() const { return settings_.program.ramp; }    // s, ramp time of the loads
   void shorten_ramp(double most) { settings_.program.ramp = std::min(ramp(), most); }
   // Returns the tag of the first ring if all rings of the fix are on one shaft, and 0 otherwise;

@@ -41,6 +41,7 @@ class FixBearingShaft : public FixBearingRing {
   void set_grain_load(const raceway::Vec3 &force, const raceway::Vec3 &moment);
 
   bearing::tag_t shaft() const override { return tags_.front(); }
+  bool constant() const override { return FixBearingRing::constant() && shaft_.unbalances.empty(); }
   double place_on_shaft(int i) const override;
 
  private:

@@ -19,15 +19,25 @@ OrbitBalls::OrbitBalls(LAMMPS *lmp) : lmp_(lmp)
   axes_.along = pair.coefficients().axis_index();
   for (const RacewayContact &c : pair.table().raceway) {
     const double tag = static_cast<double>(c.ball);
+    const Vec3 at = axes_.third(Vec3::from(atom.x[c.i_ball]));
     if (balls_.empty() || balls_.back().tag != tag)
-      balls_.push_back({tag, 0.0, axes_.third(Vec3::from(atom.x[c.i_ball])),
-                        axes_.third(Vec3::from(atom.v[c.i_ball])),
+      balls_.push_back({0.0, HUGE_VAL, tag, 0.0, 0.0, at, axes_.third(Vec3::from(atom.v[c.i_ball])),
                         axes_.third(Vec3::from(atom.omega[c.i_ball]))});
-    if (c.live) balls_.back().load += c.state.load;
+    Ball &ball = balls_.back();
+    const bool outer = c.side() == raceway::Side::outer;
+    const double away = std::fabs(at.z - axes_.third(Vec3::from(atom.x[c.i_ring])).z);
+    if (outer && away < ball.away) {
+      ball.row = static_cast<double>(c.ring);
+      ball.away = away;
+    }
+    if (!c.live) continue;
+    ball.load += c.state.load;
+    if (!outer) ball.inner += c.state.load;
   }
   balls_ = gather_all(balls_, lmp->world);
-  const auto by_tag = [](const auto &a, const auto &b) { return a.tag < b.tag; };
-  std::sort(balls_.begin(), balls_.end(), by_tag);
+  std::sort(balls_.begin(), balls_.end(), [](const Ball &a, const Ball &b) {
+    return a.row != b.row ? a.row < b.row : a.tag < b.tag;
+  });
   struct Ring {
     double tag;
     Vec3 origin;
@@ -38,15 +48,22 @@ OrbitBalls::OrbitBalls(LAMMPS *lmp) : lmp_(lmp)
       rings.push_back(
           {static_cast<double>(atom.tag[i]), axes_.third(pair.state()->ring(i).origin)});
   rings = gather_all(rings, lmp->world);
-  const Vec3 centre = std::min_element(rings.begin(), rings.end(), by_tag)->origin;
-  for (Ball &b : balls_) b.x -= centre;
-  const double first = balls_.front().azimuth();
-  const auto after = [first](const Ball &b) {
-    const double angle = b.azimuth() - first;
-    return angle < 0.0 ? angle + 2.0 * M_PI : angle;
-  };
-  std::sort(balls_.begin() + 1, balls_.end(),
-            [&after](const Ball &a, const Ball &b) { return after(a) < after(b); });
+  for (auto row = balls_.begin(); row != balls_.end(); ++rows_) {
+    const double ring = row->row;
+    const auto end =
+        std::find_if(row, balls_.end(), [ring](const Ball &b) { return b.row != ring; });
+    const Vec3 centre = std::find_if(rings.begin(), rings.end(), [ring](const Ring &r) {
+                          return r.tag == ring;
+                        })->origin;
+    for (auto b = row; b != end; ++b) b->x -= centre;
+    const double first = row->azimuth();
+    const auto after = [first](const Ball &b) {
+      const double angle = b.azimuth() - first;
+      return angle < 0.0 ? angle + 2.0 * M_PI : angle;
+    };
+    std::sort(row + 1, end, [&after](const Ball &a, const Ball &b) { return after(a) < after(b); });
+    row = end;
+  }
 }
 
 Vec3 OrbitBalls::Ball::place(const Vec3 &u) const
@@ -68,10 +85,17 @@ int OrbitBalls::sense() const
   return sum < 0.0 ? -1 : 1;
 }
 
+bool OrbitBalls::all_loaded() const
+{
+  const auto less = [](const Ball &a, const Ball &b) { return a.inner < b.inner; };
+  const auto [least, most] = std::minmax_element(balls_.begin(), balls_.end(), less);
+  return least->inner > 0.01 * most->inner;    // an oil film also transmits a small load
+}
+
 int OrbitBalls::slot(int ball, double passes) const
 {
-  const int shift = static_cast<int>(std::fmod(passes, size()));
-  return (ball + sense() * shift + size()) % size();
+  const int n = balls_a_row(), shift = static_cast<int>(std::fmod(passes, n)), own = ball % n;
+  return ball - own + (own + sense() * shift + n) % n;
 }
 
 std::vector<double> OrbitBalls::by_slot(double passes) const
@@ -121,12 +145,14 @@ void OrbitBalls::put(double passes, const std::vector<double> &by_slot) const
   }
 }
 
-double OrbitBalls::advance(const std::vector<double> &before, const std::vector<double> &now) const
+std::vector<double> OrbitBalls::advance(const std::vector<double> &before,
+                                        const std::vector<double> &now) const
 {
-  double sum = 0.0;
+  const size_t n = static_cast<size_t>(numbers) * balls_a_row();
+  std::vector<double> rows(rows_, sense() * spacing());
   for (size_t k = 0; k < now.size(); k += numbers)
-    sum += std::remainder(now[k] - before[k], 2.0 * M_PI);
-  return sense() * spacing() + sum / size();
+    rows[k / n] += std::remainder(now[k] - before[k], 2.0 * M_PI) / balls_a_row();
+  return rows;
 }
 
 }    // namespace bearing

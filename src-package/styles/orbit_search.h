@@ -21,7 +21,8 @@ class OrbitBalls;
 
 class OrbitSearch {
  public:
-  enum { OFF, ON, FOUND, NONE };
+  enum { OFF, ON, FOUND, NONE };           // stage
+  enum { DECK, FIRST_OF_DECK, COARSE };    // steps
 
   // Contains only doubles, so that it can be written to restart files.
   struct State {
@@ -35,12 +36,16 @@ class OrbitSearch {
     double stretch = 1.0;    // duration of the next ball pass relative to the last
     double jumps = 0.0;      // number of ball passes that began with chosen speeds
     double jumped = 0.0;     // 1 if the current ball pass began with chosen speeds
+    double steps = DECK;     // steps of the current ball pass: coarse, or those of the deck
+    double apart = 0.0;      // relative difference between the speeds of the rows of balls
+    double quiet = 0.0;      // number of successive ball passes with small changes
   };
 
   State &now() { return now_; }
   const State &now() const { return now_; }
   bool runs() const { return now_.stage == ON; }
   bool found() const { return now_.stage == FOUND; }
+  bool coarse() const { return now_.steps == COARSE; }
 
   // Both functions are called at the end of a step and set the speeds of the balls: `begin` before
   // the first ball pass and `end_pass` after each ball pass. Both must be called on all ranks. The
@@ -65,12 +70,21 @@ class OrbitSearch {
   }
 
  private:
+  // `noise` is the relative error of the speeds at the end of a ball pass due to the tolerance of
+  // the steps.
+  static raceway::FixedPoint::Settings map_settings()
+  {
+    raceway::FixedPoint::Settings set;
+    set.noise = 3e-7;
+    return set;
+  }
+  bool repeats(const SettlingChanges &, double distance, double settled);
   void judge(const OrbitBalls &, const std::vector<double> &end, const SettlingChanges &,
              double settled);
 
   State now_;
   std::vector<double> start_;    // values at the start of the current ball pass, for each slot
-  raceway::FixedPoint map_;
+  raceway::FixedPoint map_{map_settings(), {}};
 };
 
 }    // namespace bearing

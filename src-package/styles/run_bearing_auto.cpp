@@ -26,7 +26,7 @@ void RunBearing::plan_coarse()
   if (!automatic()) return;
   for (const FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) {
     if (f->can_be_coarse()) now().coarse = 1.0;
-    if (f->coarse_saves() && !settings_.orbit) now().may_be_coarse = 1.0;
+    if (f->coarse_saves()) now().may_be_coarse = 1.0;
   }
   for (const FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp))
     if (!f->idle()) now().may_be_coarse = 0.0;
@@ -61,14 +61,18 @@ void RunBearing::settle_until_still()
 void RunBearing::plan_pass()
 {
   const bool last = now().passes + 1.0 >= settings_.limit;
-  if (last || (now().passes >= first_passes && rests_are_small())) now().coarse = 0.0;
+  const bool search = fix_->orbit().runs();
+  if (last || (search && !fix_->orbit().coarse()) ||
+      (!search && now().passes >= first_passes && rests_are_small()))
+    now().coarse = 0.0;
   else now().coarse = now().may_be_coarse;
 }
 
 void RunBearing::choose_steps()
 {
+  const double correction = fix_->orbit().runs() ? 1e-8 : 1e-9;    // m
   for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
-    f->coarse(now().coarse != 0.0);
+    f->coarse(now().coarse != 0.0 ? correction : 0.0);
 }
 
 bool RunBearing::still()

@@ -24,7 +24,11 @@ std::string RunBearing::why_no_orbit()
 {
   if (!implicit()) return "the steps of velocity Verlet follow its stability limit";
   if (settings_.rate > 0.0) return "samples per second do not divide a ball pass";
-  if (bearing::ball_rows(lmp, "run_bearing") != 1) return "there are several rows of balls";
+  const std::vector<bearing::BallRow> rows =
+      bearing::ball_rows(lmp, "run_bearing", settings_.angle);
+  for (const bearing::BallRow &row : rows)
+    if (row.balls != rows[0].balls || !(std::fabs(row.pass / rows[0].pass - 1.0) <= 1e-3))
+      return "the rows of balls differ in number of balls or in speed";
   for (const FixBearingProfile *f : fixes_of<FixBearingProfile>(lmp))
     if (f->departs()) return bearing::name_of(*f) + " makes balls or positions differ";
   for (const FixBearingRing *f : fixes_of<FixBearingRing>(lmp))
@@ -47,10 +51,12 @@ void RunBearing::begin_search()
   else print_line(lmp, "No orbit: " + why + ". Settling until ball passes agree");
 }
 
-// The orbit does not depend on how the loads were applied, so they are applied quickly.
+// The orbit does not depend on how the loads were applied, so they are applied quickly. On a shaft,
+// which is heavier than a ring, this would excite a vibration that lasts for many ball passes.
 void RunBearing::shorten_ramps()
 {
-  for (FixBearingRing *f : fixes_of<FixBearingRing>(lmp)) f->shorten_ramp(3e-4);
+  for (FixBearingRing *f : fixes_of<FixBearingRing>(lmp))
+    if (f->shaft() == 0) f->shorten_ramp(3e-4);
 }
 
 // Prints a line after a ball pass of the search.
@@ -67,9 +73,13 @@ void RunBearing::say_search()
   if (fix_->orbit().found()) {
     print_line(lmp, "Orbit after " + after);
     say_multipliers();
-  } else if (!fix_->orbit().runs())
-    print_line(lmp, "No orbit: no ball pass of " + after +
-                        " repeats the previous one. Settling until they agree");
+  } else if (!fix_->orbit().runs()) {
+    const std::string apart =
+        s.apart > now().settled ? ", and the speeds of the rows of balls differ by " + text(s.apart)
+                                : "";
+    print_line(lmp, "No orbit: no ball pass of " + after + " repeats the previous one" + apart +
+                        ". Settling until they agree");
+  }
 }
 
 // Returns the multipliers whose values are known, e.g. "0.58 0.31+0.20i 0.31-0.20i".

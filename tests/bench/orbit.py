@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Compare the results and the number of force evaluations of the main deck with `settle orbit` to
-those of the main deck after long settling, and write build/bench/orbit.rst.
+"""Compare the results and the number of force evaluations of runs with `settle orbit` to those of
+runs after long settling, and write build/bench/orbit.rst. The runs are those of the main deck and
+of a shaft on two equal bearings, of which the first is evaluated.
 
     .venv/bin/python tests/bench/orbit.py [SCENE ...]
 
@@ -22,17 +23,19 @@ from machine import csv_table, publish
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
+SHAFT = "tests/scenarios/in.shaft_orbit"
 SETTLED = 30  # ball passes
 TIGHT = {"clearance": "-20e-6"}
 THRUST = {"bearing": "7205B", "load": "1e-3"}
 
 
 class Scene(NamedTuple):
-    """Variables of the deck, and the number of ball passes after which a conventional run is
-    steady."""
+    """Variables of the deck, the number of ball passes after which a conventional run is steady,
+    and the deck."""
 
     words: dict
     steady: int = SETTLED
+    deck: str = MAIN
 
 
 ORBITS = {
@@ -49,6 +52,16 @@ ORBITS = {
     ),
     "7208, thrust 500 N, 6000 rpm": Scene(
         {"bearing": 7208, "load": "1e-3", "axial": 500, "rpm": 6000}, 400
+    ),
+    "shaft on two 6208s, preload, 4 kN, 1500 rpm": Scene({}, deck=SHAFT),
+    "the same, load off the middle": Scene({"place": 0.15}, deck=SHAFT),
+    "shaft on two 7208s, thrust 1 kN, 6000 rpm": Scene(
+        {
+            **{"bearing": 7208, "clearance": 0, "load": "1e-3", "axial": 1000, "rpm": 6000},
+            "freedoms": "x free y free z free rx free ry free",
+        },
+        400,
+        SHAFT,
     ),
 }
 WITHOUT = {
@@ -78,7 +91,7 @@ Scenes without an orbit
 def figures(folder):
     """Return the mean values of friction torque (N m), largest contact load at an instant (N),
     minimum film thickness at the largest inner load (m), and cage speed (rad/s)."""
-    tables = RunTables(folder)
+    tables = RunTables(folder, bearing=1)
     found = summary(tables)
     largest = tables.contacts.groupby("sample")["load"].max().mean()
     return (
@@ -87,20 +100,21 @@ def figures(folder):
     )
 
 
-def settled(folder, settle, words, passes=1):
+def settled(folder, settle, words, passes=1, deck=MAIN):
     """Return (output of the host, cost of the run, evaluations up to the end of one measured ball
     pass)."""
     given = {"models": "full", **words, "settle": settle, "passes": passes}
-    said = run_deck(MAIN, **given, out=folder, overwrite="yes")
+    said = run_deck(deck, **given, out=folder, overwrite="yes")
     noted = cost(folder)
     return said, noted, noted["settling_evaluations"] + noted["evaluations"] / passes
 
 
 def row(name, scene, place):
-    said, noted, evaluations = settled(place / "orbit", "orbit", scene.words)
-    _, _, marched = settled(place / "marched", SETTLED, scene.words)
-    turn = int(noted["balls"])
-    _, _, longest = settled(place / "steady", scene.steady, scene.words, turn)
+    words, deck = scene.words, scene.deck
+    said, noted, evaluations = settled(place / "orbit", "orbit", words, deck=deck)
+    _, _, marched = settled(place / "marched", SETTLED, words, deck=deck)
+    turn = int(RunTables(place / "orbit", bearing=1).settings["balls"])
+    _, _, longest = settled(place / "steady", scene.steady, words, turn, deck)
     off = [
         own / steady - 1
         for own, steady in zip(figures(place / "orbit"), figures(place / "steady"), strict=True)

@@ -9,7 +9,7 @@ STABLE, UNSTABLE, WHIRL = 1, 2, 4
 STARTS = 5  # as many as a search for a fixed point stores
 
 
-def multipliers(x, g):
+def multipliers(x, g, noise=0.0):
     """Return the multipliers, their errors, and their kinds."""
     found = [np.full(STARTS, np.nan) for _ in range(3)]
     kind = np.zeros(STARTS, np.int32)
@@ -17,6 +17,7 @@ def multipliers(x, g):
         "multipliers",
         starts=len(x),
         n=x.shape[1],
+        noise=noise,
         x=x,
         g=g,
         weights=np.ones(x.shape[1]),
@@ -98,6 +99,22 @@ def test_the_last_values_may_be_too_close_to_each_other():
     g = np.concatenate([value, near @ a.T]) + 1e-7 * numbers.normal(size=(5, 20))
     found, error, kind = multipliers(x, g)
     assert found[0] == pytest.approx(0.8, rel=1e-3) and error[0] < 1e-3 and kind[0] == STABLE
+
+
+def test_errors_include_that_of_the_values():
+    """After a fast decay, the last values differ by little more than their own errors. If these are
+    given, the errors of the multipliers include them."""
+    numbers = np.random.default_rng(6)
+    size, exact, wrong = 1e-7, np.array([0.02, 0.01, 0.0]), [0, 0]
+    for _ in range(300):
+        a = matrix(numbers, exact[:2])
+        x, g = marched(a, 1e-4 * a @ numbers.normal(size=20), 4)
+        g = g + size / 20**0.5 * numbers.normal(size=g.shape)
+        x[1:] = g[:-1]
+        for k, noise in enumerate((0.0, 3.0 * size)):
+            found, error, _ = multipliers(x, g, noise)
+            wrong[k] += np.abs(found[0] - exact).min() > error[0]
+    assert wrong[0] > 30 and wrong[1] == 0
 
 
 def test_starts_that_do_not_differ_have_no_multipliers():

@@ -6,15 +6,21 @@ import numpy as np
 import pytest
 import raceway
 from host import ROOT, succeed
+from raceway import beam, beam_motion, bending_file, shaft_bending
 
 from scenarios.test_run_bearing import DECK as run_deck
-from scenarios.test_run_bearing import TURNS, differ, stop, values
+from scenarios.test_run_bearing import IMPLICIT, TURNS, differ, stop, values
 
 DECK = "inputs/in.6208"
 FULL = {"models": "full", "passes": 1}
 PRELOAD = {**FULL, "clearance": "-20e-6", "load": 2000, "rpm": 1500}
+# unloaded balls change their places in the pockets
+LOAD_ZONE = {**FULL, "clearance": 0, "load": 5000, "rpm": 477.5}
 # under a light thrust, gyroscopic moments turn the spin axes over more than a hundred ball passes
 THRUST = {**FULL, "bearing": "7205B", "axial": 300, "load": "1e-3", "rpm": 8000}
+# other bearings under thrust, whose multipliers are larger
+SLOWER = {**FULL, "bearing": 7208, "axial": 500, "load": "1e-3", "rpm": 6000}
+FASTER = {**FULL, "bearing": "7206B", "axial": 500, "load": "1e-3", "rpm": 8000}
 FIGURES = ("friction_torque_N_m", "cage_speed_rad_s", "h_min_m", "q_max_N", "capacitance_F")
 
 
@@ -26,7 +32,9 @@ def evaluations(folder):
 
 
 @pytest.mark.parametrize(
-    "scene, settle, share", [(PRELOAD, 30, 0.2), (THRUST, 200, 0.15)], ids=["preload", "thrust"]
+    "scene, settle, share",
+    [(PRELOAD, 30, 0.12), (LOAD_ZONE, 100, 0.1), (THRUST, 200, 0.06), (SLOWER, 400, 0.05)],
+    ids=["preload", "load zone", "7205B", "7208"],
 )
 def test_figures_are_those_of_a_settled_run(scene, settle, share, tmp_path):
     for how in ("orbit", settle):
@@ -36,6 +44,67 @@ def test_figures_are_those_of_a_settled_run(scene, settle, share, tmp_path):
     for name in FIGURES:
         assert orbit[name] == pytest.approx(settled[name], rel=1e-3), name
     assert evaluations(tmp_path / "orbit") < share * evaluations(tmp_path / str(settle))
+
+
+SHAFT = "tests/scenarios/in.shaft_orbit"
+SHARED_THRUST = {"bearing": 7208, "clearance": 0, "load": 1e-3, "axial": 1000, "rpm": 6000}
+FREE = "x free y free z free rx free ry free"
+
+
+@pytest.fixture(scope="module")
+def flexible(tmp_path_factory):
+    """Write the file of a flexible shaft, and return the words that select it."""
+    path = tmp_path_factory.mktemp("shaft") / "shaft.modes"
+    z, pieces = beam.divided([beam.Section(0.36, 0.04)], np.linspace(0.0, 0.36, 13))
+    nodes = [1, 6, 11]  # at the bearings and in the middle
+    whole = beam_motion.matrices(z, pieces)
+    bending_file.write(path, shaft_bending.bending(z, whole, nodes, 4, nodes, 0.01))
+    return f"flexible {path}"
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [{}, {"place": 0.15}, {**SHARED_THRUST, "freedoms": FREE}, {"body": "flexible"}],
+    ids=["load", "load off the middle", "thrust", "flexible"],
+)
+def test_figures_of_two_bearings_on_a_shaft(scene, flexible, tmp_path):
+    if "body" in scene:
+        scene = {"body": flexible}
+    for how in ("orbit", 100):
+        succeed(SHAFT, out=tmp_path / str(how), settle=how, **scene)
+    runs = [raceway.open(tmp_path / str(how)) for how in ("orbit", 100)]
+    assert runs[0].settings["orbit"] == "found"
+    for bearing in (1, 2):
+        orbit, settled = (run.select(bearing).summary() for run in runs)
+        for name in FIGURES[:4]:
+            assert orbit[name] == pytest.approx(settled[name], rel=1e-3), (bearing, name)
+    assert evaluations(tmp_path / "orbit") < 0.1 * evaluations(tmp_path / "100")
+
+
+def test_multiplier_of_bearings_that_share_a_thrust(tmp_path):
+    """Two bearings on a shaft that share a thrust have the multiplier of one bearing under half of
+    it."""
+    succeed(SHAFT, out=tmp_path / "two", **SHARED_THRUST, freedoms=FREE)
+    succeed(DECK, out=tmp_path / "one", settle="orbit", **SLOWER)
+    two, one = (raceway.open(tmp_path / name).settings for name in ("two", "one"))
+    assert one["orbit_multiplier"] > 0.5
+    assert two["orbit_multiplier"] == pytest.approx(one["orbit_multiplier"], rel=0.02)
+
+
+@pytest.mark.parametrize(
+    "words, why",
+    [
+        ({"right": 6306}, "the rows of balls differ in number of balls or in speed"),
+        ({"words": "unbalance 0.1 2e-5 0"}, "change or turn with the ring"),
+        ({"place": 0.1}, "the speeds of the rows of balls differ by"),
+    ],
+    ids=["other bearing", "unbalance", "unequal slip"],
+)
+def test_shafts_without_an_orbit(words, why, tmp_path):
+    done = succeed(SHAFT, out=tmp_path, **words)
+    assert "No orbit: " in done.text and why in done.text
+    found = raceway.open(tmp_path).settings
+    assert found["orbit"] == "none" and found["rest_torque"] <= 1e-2
 
 
 @pytest.mark.parametrize(
@@ -93,12 +162,40 @@ def test_stopped_on_the_way(at, whole, tmp_path):
     assert values(whole)[1] == values(tmp_path)[1]
 
 
+def test_stopped_among_coarse_ball_passes(tmp_path):
+    """Balls that leave the load zone are followed with coarse steps."""
+    scene = {**IMPLICIT, "settle": "orbit", "more": "limit 14"}
+    succeed(run_deck, out=tmp_path / "whole", **scene)
+    stop(tmp_path / "parts", scene, 3)
+    succeed(run_deck, out=tmp_path / "parts", resume="yes", **scene)
+    assert differ(tmp_path / "whole", tmp_path / "parts") == []
+    assert values(tmp_path / "whole")[1] == values(tmp_path / "parts")[1]
+
+
+def test_the_last_ball_pass_has_the_steps_of_the_deck(tmp_path):
+    done = succeed(run_deck, out=tmp_path, **IMPLICIT, settle="orbit", more="limit 3")
+    before, last = (line for line in done.text.splitlines() if line.startswith("Ball pass"))
+    assert "coarse" in before and "coarse" not in last
+
+
+def test_shaft_on_ranks(tmp_path):
+    for ranks in (1, 2):
+        succeed(SHAFT, out=tmp_path / str(ranks), ranks=ranks, **SHARED_THRUST, freedoms=FREE)
+    assert differ(tmp_path / "1", tmp_path / "2") == []
+
+
 @pytest.mark.parametrize("host", ["lammps", "wheel"])
 def test_hosts(host, tmp_path):
     for folder, program in (("one", "liggghts"), ("other", host)):
         out = tmp_path / folder
         succeed(DECK, out=out, host=program, settle="orbit", samples=20, **THRUST)
     assert differ(tmp_path / "one", tmp_path / "other") == []
+
+
+def test_a_fast_decay_is_not_called_unstable(tmp_path):
+    """The last values of this search differ by little more than their errors."""
+    succeed(DECK, out=tmp_path, settle="orbit", **{**SLOWER, "axial": 100, "rpm": 3000})
+    assert raceway.open(tmp_path).settings["orbit_stability"].startswith("stable")
 
 
 LATER = """
@@ -109,9 +206,6 @@ variable later string ${out}/later
 fix later all bearing/record 20 ${later}
 run 600
 """
-# other bearings under thrust, whose multipliers are larger
-SLOWER = {**FULL, "bearing": 7208, "axial": 500, "load": "1e-3", "rpm": 6000}
-FASTER = {**FULL, "bearing": "7206B", "axial": 500, "load": "1e-3", "rpm": 8000}
 
 
 def decays(folder, largest):

@@ -11,11 +11,9 @@ using raceway::FixedPoint;
 
 RECORD(FixedPointNext, double residual, distance, contraction;)
 
-static FixedPoint filled(int starts, int n, double reach, const double *x, const double *g,
-                         const double *weights)
+static FixedPoint filled(int starts, int n, const FixedPoint::Settings &set, const double *x,
+                         const double *g, const double *weights)
 {
-  FixedPoint::Settings set;
-  set.reach = reach;
   FixedPoint map(set, {weights, weights + n});
   for (int k = 0; k < starts; ++k) {
     const long at = static_cast<long>(k) * n;
@@ -30,7 +28,9 @@ EXPORT(void, fixed_point,
        (int starts, int n, double reach, const double *x, const double *g, const double *weights,
         double *next, FixedPointNext *out))
 {
-  FixedPoint map = filled(starts, n, reach, x, g, weights), copy;
+  FixedPoint::Settings set;
+  set.reach = reach;
+  FixedPoint map = filled(starts, n, set, x, g, weights), copy;
   bearing::NumberWriter kept;    // the copy is made in the same way as after a restart
   map.keep(kept);
   bearing::NumberReader list(kept.numbers().data());
@@ -41,12 +41,15 @@ EXPORT(void, fixed_point,
 }
 
 // Computes the multipliers of a map from its last `starts` values, at most four of them, and their
-// errors, and returns their number. `kind` is the sum of 1 (stable), 2 (unstable) and 4 (whirls).
+// errors, and returns their number. The values have errors of the size `noise`. `kind` is the sum
+// of 1 (stable), 2 (unstable) and 4 (whirls).
 EXPORT(int, multipliers,
-       (int starts, int n, const double *x, const double *g, const double *weights, double *real,
-        double *imaginary, double *error, int *kind))
+       (int starts, int n, double noise, const double *x, const double *g, const double *weights,
+        double *real, double *imaginary, double *error, int *kind))
 {
-  const auto all = filled(starts, n, 1.0, x, g, weights).multipliers();
+  FixedPoint::Settings set;
+  set.noise = noise;
+  const auto all = filled(starts, n, set, x, g, weights).multipliers();
   for (size_t k = 0; k < all.size(); ++k) {
     real[k] = all[k].value.real();
     imaginary[k] = all[k].value.imag();

@@ -29,6 +29,7 @@ class FixedPoint {
     double reach = 0.1;     // largest displacement from g_k, in the norm
     double apart = 1e-2;    // smallest linearly independent fraction of a difference
     double flat = 0.02;     // smallest difference relative to the residual
+    double noise = 0.0;     // error of a value of the map, in the norm
   };
   struct Next {
     Vector start;
@@ -123,7 +124,7 @@ class FixedPoint {
     }
     std::vector<Multiplier> best;
     while (!changes.empty() && !(!best.empty() && best[0].relative_error() <= 1e-2)) {
-      const std::vector<Multiplier> found = raceway::multipliers(changes, images);
+      const std::vector<Multiplier> found = raceway::multipliers(changes, images, set_.noise);
       if (!found.empty() && (best.empty() || found[0].relative_error() < best[0].relative_error()))
         best = found;
       changes.erase(changes.begin());

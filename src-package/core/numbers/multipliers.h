@@ -5,8 +5,9 @@
 // Changes and their images under A are known from a search for the orbit. With an orthonormal basis
 // Q of the changes and its images B = A Q, the multipliers are approximated by the eigenvalues m of
 // H = Q^T B (Ritz values, as in Arnoldi's method), and the error of each is estimated by the
-// residual |B y - m Q y| of its eigenvector y. A change that differs from the later ones only by a
-// fraction `apart` is regarded as noise and omitted.
+// residual |B y - m Q y| of its eigenvector y, plus the error of B y if the images have errors of
+// the size `noise`. A change that differs from the later ones only by a fraction `apart` is
+// regarded as noise and omitted.
 #pragma once
 
 #include <algorithm>
@@ -119,15 +120,18 @@ inline std::vector<Complex> eigenvector(const Matrix &h, Complex value)
 // are given in order of importance, i.e. those closest to the orbit first.
 inline std::vector<Multiplier> multipliers(const std::vector<std::vector<double>> &changes,
                                            const std::vector<std::vector<double>> &images,
-                                           double apart = 0.1)
+                                           double noise = 0.0, double apart = 0.1)
 {
   using namespace multipliers_detail;
   std::vector<Vector> basis, mapped;
+  Vector wrong;    // errors of `mapped`
   for (size_t k = 0; k < changes.size(); ++k) {
     Vector q = changes[k], b = images[k];
     const double whole = std::sqrt(dot(q, q));
+    double off = noise;
     for (size_t j = 0; j < basis.size(); ++j) {
       const double share = dot(basis[j], q);
+      off += std::fabs(share) * wrong[j];
       for (size_t i = 0; i < q.size(); ++i) {
         q[i] -= share * basis[j][i];
         b[i] -= share * mapped[j][i];
@@ -139,6 +143,7 @@ inline std::vector<Multiplier> multipliers(const std::vector<std::vector<double>
     for (double &one : b) one /= own;
     basis.push_back(q);
     mapped.push_back(b);
+    wrong.push_back(off / own);
   }
   const size_t n = basis.size();
   if (n == 0) return {};
@@ -154,9 +159,11 @@ inline std::vector<Multiplier> multipliers(const std::vector<std::vector<double>
       for (size_t j = 0; j < n; ++j) left += y[j] * (mapped[j][i] - value * basis[j][i]);
       error += std::norm(left);
     }
+    double from_noise = 0.0;
+    for (size_t j = 0; j < n; ++j) from_noise += std::abs(y[j]) * wrong[j];
     const bool real = std::fabs(value.imag()) < 1e-6 * std::abs(value);
     if (std::isfinite(error))
-      all.push_back({real ? Complex(value.real()) : value, std::sqrt(error)});
+      all.push_back({real ? Complex(value.real()) : value, std::sqrt(error) + from_noise});
   }
   std::sort(all.begin(), all.end(),
             [](const Multiplier &a, const Multiplier &b) { return a.modulus() > b.modulus(); });
