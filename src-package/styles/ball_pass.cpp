@@ -145,7 +145,8 @@ std::vector<BallRow> ball_rows(LAMMPS *lmp, const std::string &command, double a
   const PairCoefficients &coefficients = PairBearingHertz::find(lmp, command)->coefficients();
   const std::vector<Body> bodies = bodies_of(lmp, coefficients);
   std::vector<BallRow> all;
-  for (const Row &row : rows_of(lmp, coefficients, bodies)) all.push_back({row.balls, row.pass(angle)});
+  for (const Row &row : rows_of(lmp, coefficients, bodies))
+    all.push_back({row.balls, row.pass(angle)});
   return all;
 }
 
