@@ -7,7 +7,7 @@
 #include "fix_bearing_state.h"
 #include "fixes.h"
 #include "named_cage.h"
-#include "pair_bearing_hertz.h"
+#include "pair_bearing.h"
 
 #include <algorithm>
 
@@ -74,15 +74,17 @@ void FixBearingCageRing::init()
   Arguments args(lmp, me, std::vector<std::string>());
   cage_.prepare(args, ball_radius_, pitch);
   all_.of = cage_.of;
-  if (viscosity_ > 0.0) set_oil(bearing_, viscosity_, density_);
+  take_oil();
   turn_to_balls();
 }
 
-void FixBearingCageRing::set_oil(const std::string &bearing, double viscosity, double density)
+void FixBearingCageRing::take_oil()
 {
-  if (bearing_ != bearing || cage_.oil == 0.0) return;
-  viscosity_ = viscosity;
-  density_ = density;
+  const auto *pair = dynamic_cast<const PairBearing *>(force->pair);
+  if (!pair || cage_.oil == 0.0) return;
+  const double viscosity = std::atof(pair->oil_datum(bearing_, "viscosity").c_str()),
+               density = std::atof(pair->oil_datum(bearing_, "oil_density").c_str());
+  if (!(viscosity > 0.0)) return;    // the cage has no name, or the oil is that of a restart file
   const double share = viscosity / cage_.oil;
   all_.of.shear = share * cage_.of.shear;
   all_.of.film.viscosity = share * cage_.of.film.viscosity;

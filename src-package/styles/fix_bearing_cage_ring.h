@@ -26,9 +26,8 @@ class FixBearingCageRing : public FixBearingRing {
   void pre_force(int) override;
   double compute_vector(int) override;
 
-  // Sets the viscosity (Pa s) and density (kg/m^3) of the oil of the cages of the named bearing,
-  // which may change from run to run and during a run.
-  void set_oil(const std::string &bearing, double viscosity, double density);
+  // Takes the oil of the named bearing, which may change from run to run and during a run.
+  void take_oil();
 
   const bearing::CagePockets &pockets() const { return all_; }
   const bearing::CageSettings &settings() const { return cage_; }    // also valid before a run
@@ -46,7 +45,6 @@ class FixBearingCageRing : public FixBearingRing {
   std::string bearing_;    // name of the bearing, or empty
   int ball_type_ = 0;
   double ball_radius_ = 0.0;
-  double viscosity_ = 0.0, density_ = 0.0;    // of the oil that has been set; 0: none
   bearing::CageSettings cage_;
   bearing::CagePockets all_;
   size_t first_row_ = 0;         // position in the contact table: cells come first, then lands

@@ -6,6 +6,7 @@
 #include "../core/numbers/number_list.h"
 #include "../core/settings/arguments.h"
 #include "ball_pass.h"
+#include "fix_bearing_cage_ring.h"
 #include "fix_bearing_implicit.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
@@ -237,7 +238,7 @@ void FixBearingHeat::apply_oil()
   if (!dry_) {
     pair_->set_oil_temperature(Arguments(lmp, bearing::name_of(*this), {}), bearing_->name,
                                now_.oil);
-    pair_->pass_oil_to_cages();
+    for (FixBearingCageRing *f : bearing::fixes_of<FixBearingCageRing>(lmp)) f->take_oil();
   }
   // a new contact law has the sizes of cold parts, in every bearing
   for (FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp)) {

@@ -6,7 +6,6 @@
 #include "../core/settings/written.h"
 #include "../deck/find_data.h"
 #include "derive_laws.h"
-#include "fix_bearing_cage_ring.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "named_bearing.h"
@@ -237,7 +236,6 @@ void PairBearing::init_style()
     c.speed = speed;
     resolve(c);
   }
-  pass_oil_to_cages();    // the oil may have changed since the cages were defined
   PairBearingHertz::init_style();
 }
 
@@ -251,15 +249,6 @@ void PairBearing::cool()
     c.data = read_oil(Arguments(lmp, "pair_coeff * * " + c.bearing, {}), c.oil, c.temperature);
     resolve(c);
   }
-}
-
-void PairBearing::pass_oil_to_cages() const
-{
-  for (FixBearingCageRing *f : bearing::fixes_of<FixBearingCageRing>(lmp))
-    for (const Coeff &c : coeffs_)
-      if (c.data.count("viscosity") && c.data.count("oil_density"))
-        f->set_oil(c.bearing, std::atof(c.data.at("viscosity").c_str()),
-                   std::atof(c.data.at("oil_density").c_str()));
 }
 
 // Returns the speed (rad/s) of all rings of this type in the next run. It is NAN if they turn at

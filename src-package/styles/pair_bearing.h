@@ -47,8 +47,6 @@ class PairBearing : public PairBearingHertz {
   // Sets the temperature (C) of a bearing's oil during a run. Afterwards, the raceways have the
   // dimensions of the cold parts.
   void set_oil_temperature(const bearing::Arguments &, const std::string &bearing, double);
-  // Gives the one-piece cages of named bearings the oil of their bearings.
-  void pass_oil_to_cages() const;
   const std::string &models() const { return choice_.models; }
   double temperature() const { return temperature_; }
   const std::vector<std::string> &given() const { return given_; }    // oil data as NAME=VALUE
