@@ -67,7 +67,7 @@ class NetcdfFile {
   std::string head_;    // current bytes of the header
   std::vector<unsigned char> blank_;
   std::unique_ptr<unsigned char[]> buffer_, sent_;    // not filled with zeros, which takes time
-  std::future<std::string> writing_;    // the pending write of sent_
+  std::future<std::string> writing_;                  // the pending write of sent_
   size_t batch_ = 1, filled_ = 0, sending_ = 0, written_ = 0, countable_ = 0;
   int file_ = -1;
   double counted_at_ = 0.0;    // s
