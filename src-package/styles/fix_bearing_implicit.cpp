@@ -29,9 +29,8 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
   if (strcmp(style, "bearing/vibration") == 0) sampling_ = 48000.0;
   Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   while (args.more()) read(args);
-  if (std::isnan(relative_))
-    relative_ = tolerance_ == 0.0 && !settings.dampers_only ? pair_->relative_tolerance() : 0.0;
-  settings.relative = relative_;
+  if (std::isnan(relative_) && (tolerance_ > 0.0 || settings.dampers_only)) relative_ = 0.0;
+  settings.relative = std::isnan(relative_) ? pair_->relative_tolerance() : relative_;
   if (settings.dampers_only && settings.relative > 0.0)
     args.fail("relative is " + text(settings.relative) +
               ", must be 0 with 'solve damping', whose tolerance is the distance a ball may move");
@@ -116,6 +115,9 @@ int FixBearingImplicit::setmask() { return INITIAL_INTEGRATE; }
 void FixBearingImplicit::init()
 {
   pair_ = PairBearingHertz::find(lmp, "fix bearing/implicit");
+  // the default depends on the contact law, which may have been unknown before
+  if (std::isnan(relative_))
+    solver_->settings.relative = solver_->fine.relative = pair_->relative_tolerance();
   gravity_.clear();
   check_fixes();
   find_rings();

@@ -17,7 +17,7 @@ _data = yaml.safe_load((Path(__file__).parent / "cases.yaml").read_text())
 CASES, BOUNDS, EXPLICIT = _data["cases"], _data["bounds"], _data["explicit"]
 # Settings for the "fine" references and for all comparisons of the fix with its own finer runs;
 # they do not depend on the defaults.
-FINE = "tolerance 1e-10"
+FINE = "tolerance 1e-10 control bound"
 # `Course.error` of a run that ended normally but with fewer atoms
 LOST = "atoms were lost without an error message"
 
@@ -221,11 +221,11 @@ def averages(course, after=0, every=1):
 
 def full(folder, case, truth=None):
     """Return the courses of the implicit step and of velocity Verlet with the models `full`, with
-    the cage tolerance and control that the decks use, and the `Verdict` from comparing the first
-    course with the second. If `truth` is given, velocity Verlet is not run again."""
+    the cage tolerance that the decks use, and the `Verdict` from comparing the first course with
+    the second. If `truth` is given, velocity Verlet is not run again."""
     film = "full_dry" if case["variables"].get("lubricant") == "dry" else "full"
     words = {"step": 5e-7, "after": 0, "last": None, **case.get("full", {})}
-    own = case.get("control", "") + " cage_tolerance 1e-6 control estimate"
+    own = case.get("control", "") + " cage_tolerance 1e-6"
     found = run(folder, case, film=film, control=own)
     substeps = round(float(case["variables"].get("sample", 1e-4)) / float(words["step"]))
     if truth is None:

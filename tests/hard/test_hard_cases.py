@@ -103,6 +103,35 @@ def test_models_full(tmp_path, name):
     assert verdict.good, str(verdict)
 
 
+@pytest.mark.parametrize("film, words", [("film", "relative 2e-4"), ("full", "relative 0")])
+def test_defaults_depend_on_the_film_in_the_gap(tmp_path, film, words):
+    """The default is `control estimate`, with a relative tolerance unless the film is in the gap.
+    Steps with a relative tolerance are longer."""
+    case, few = CASES["turning load"], dict(film=film, samples=40)
+    default = run(tmp_path, case, **few)
+    same = run(tmp_path, case, **few, control=f"control estimate {words}")
+    other = run(tmp_path, case, **few, control="tolerance 1e-9 relative 2e-4 control estimate")
+    assert (default.load == same.load).all()
+    if film == "full":
+        assert other.step > 1.5 * default.step
+    else:
+        assert other.step == default.step
+
+
+@pytest.mark.parametrize(
+    "name", ["axial and radial", "30,000 rpm", "30,000 rpm, unloaded inner ring"]
+)
+def test_defaults_need_half_of_the_evaluations(tmp_path, name):
+    """At high speed, where vibration limits the step, the defaults require less than half as many
+    evaluations as bounds on the errors in m."""
+    found = [
+        re.search(r"substeps (\S+) corrections (\S+)", coarse(tmp_path, case).text).groups()
+        for case in (CASES[name], dict(CASES[name], control="control bound relative 0"))
+    ]
+    default, bound = (float(steps) * float(each) for steps, each in found)
+    assert default < 0.5 * bound
+
+
 def test_kept_derivatives_solve_the_same_stages(tmp_path):
     """With `control estimate` the last iterations evaluate only the cage; forces and stored states
     of the raceways are extrapolated from their derivatives. With the same steps, this requires

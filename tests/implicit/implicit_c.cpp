@@ -270,9 +270,11 @@ EXPORT(void, lone_ring,
 
 // Simulates a single ring of 0.5 kg that is free along z, on a spring (stiffness 0: no spring),
 // under a constant force. It moves from place[0] (m) and velocity[0] (m/s) to place[1] and
-// velocity[1] in n steps of h seconds. Returns the largest error (m) estimated in a step.
+// velocity[1] in n steps of h seconds, with a relative tolerance. Returns the largest error (m)
+// estimated in a step.
 EXPORT(double, estimated_errors,
-       (int n, double h, double stiffness, double force, double place[2], double velocity[2]))
+       (double relative, int n, double h, double stiffness, double force, double place[2],
+        double velocity[2]))
 {
   LoneRing alone;
   auto &[m, p, bodies, rings] = alone;
@@ -288,6 +290,7 @@ EXPORT(double, estimated_errors,
   BearingIntegrator::Settings set;
   set.estimate = true;
   set.newton = 1e-18;
+  set.relative = relative;
   double largest = 0.0;
   for (int k = 0; k < n; ++k) {
     largest = std::max(largest, step.step(set, h, 0.0, 1.0).error);

@@ -283,11 +283,12 @@ static constexpr double light = 0.2, least_count = 0.1;
 // Safety factor for the error estimate.
 static constexpr double safe = 4.0;
 
-// Weight of the error bound relative to the estimate. The estimate applies to one step of smooth
-// motion, whereas a vibration accumulates the errors of all its steps. With this weight, a
-// vibration that determines the step lags by less than 0.65 s times the tolerance after s radians
-// (docs/fix_bearing_implicit).
-static constexpr double sudden = 0.3;
+// Returns the weight of the error bound relative to the estimate. The estimate applies to one step
+// of smooth motion, whereas a vibration accumulates the errors of all its steps. With the weight w,
+// a vibration that determines the step lags by less than 0.195 s/w times the tolerance after s
+// radians (docs/fix_bearing_implicit). A relative tolerance serves the loads of steady operation,
+// in which vibrations die out.
+static double sudden(double relative) { return relative > 0.0 ? 0.3 : 0.7; }
 
 // Weights of two error measures: the change of velocity between the stages, and the second
 // difference.
@@ -325,7 +326,7 @@ RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) con
   const double share = drift ? 1.0 : one ? 0.5 : gamma_2;
   const double full = drift ? 0.0 : light * largest_stiffness();
   const ErrorWeights weights =
-      set.estimate ? ErrorWeights{sudden, safe * bend_2 / gamma_2} : ErrorWeights();
+      set.estimate ? ErrorWeights{sudden(set.relative), safe * bend_2 / gamma_2} : ErrorWeights();
   // m/s, velocity error equivalent to the largest overlap; 0 if there is no one-piece cage
   const double whole =
       drift || bodies_.model.cages.empty() ? 0.0 : forces_.largest_overlap() / (share * h);

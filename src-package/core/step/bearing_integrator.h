@@ -27,10 +27,11 @@
 // the cage would otherwise determine the step.
 //
 // With `estimate` the error is four times the second-order error, which is computed from the second
-// difference of the velocities at the start and at the ends of both stages, or 0.3 of the upper
-// bound if that is larger. A stage ends when all further corrections would be below the tolerance
-// if they continued to decrease at the current rate. If balls and rings have converged but the cage
-// has not, further corrections extrapolate the raceway contacts from their derivatives.
+// difference of the velocities at the start and at the ends of both stages, or 0.7 of the upper
+// bound (0.3 with a relative tolerance) if that is larger. A stage ends when all further
+// corrections would be below the tolerance if they continued to decrease at the current rate. If
+// balls and rings have converged but the cage has not, further corrections extrapolate the raceway
+// contacts from their derivatives.
 //
 // The error of a ball that carries less than a hundredth of the largest load is weighted by the
 // stiffness of the ball's contacts, with a weight of at least a tenth, because unloaded balls
