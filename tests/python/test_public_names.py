@@ -9,6 +9,7 @@ import subprocess
 import sys
 import typing
 
+import pandas
 import pytest
 import raceway
 import xarray
@@ -99,6 +100,7 @@ def test_hints_name_types_that_are():
         "Comparison": Comparison,
         "Equilibrium": raceway.static.Equilibrium,
         "Lubrication": raceway.lubrication.Lubrication,
+        "pd": pandas,
         "xr": xarray,
     }
     functions = [one for name in MODULES for _, one in public(importlib.import_module(name))]
