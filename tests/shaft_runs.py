@@ -68,12 +68,25 @@ def rings_follow(folder):
 
 
 # variables for comparing ranks and hosts, in which all parts move
-BITS = dict(cage=1, speed=200, second=0.2, law="friction constant 0.05",
-            freedoms=f"{TILTING} 200 z free", clearance=1e-5, skin=4e-4,
-            control="tolerance 1e-8")  # fmt: skip
+BITS = dict(
+    cage=1,
+    speed=200,
+    second=0.2,
+    law="friction constant 0.05",
+    freedoms=f"{TILTING} 200 z free",
+    clearance=1e-5,
+    skin=4e-4,
+    control="tolerance 1e-8",
+)
 # variables for runs that output an energy balance
-ENERGY = dict(control="tolerance 1e-10 largest 2e-6 energy yes", clearance=1e-5, speed=200,
-              law="friction constant 0.05", steps=80, every=80)  # fmt: skip
+ENERGY = dict(
+    control="tolerance 1e-10 largest 2e-6 energy yes",
+    clearance=1e-5,
+    speed=200,
+    law="friction constant 0.05",
+    steps=80,
+    every=80,
+)
 WITHIN = dict(
     control="tolerance 1e-11 largest 5e-6", freedoms=f"{TILTING} 200", steps=40, within=10
 )

@@ -303,8 +303,14 @@ def test_deck(name, tmp_path):
 
 
 # invalid setups that are tested in every host
-SETUPS = ["newton on", "periodic box", "other units", "overlapping balls", "ring elsewhere",
-          "unknown style keyword"]  # fmt: skip
+SETUPS = [
+    "newton on",
+    "periodic box",
+    "other units",
+    "overlapping balls",
+    "ring elsewhere",
+    "unknown style keyword",
+]
 GHOSTS = {"liggghts": "communicate single", "lammps": "comm_modify", "wheel": "comm_modify"}
 
 

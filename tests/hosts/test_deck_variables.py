@@ -34,8 +34,15 @@ def test_unknown(tmp_path, host, ranks, name, nearest):
     assert not (tmp_path / "run").exists()
 
 
-DECKS = ["in.axial", "in.cage_ring", "in.dry", "in.many", "in.nocage", "in.preload",
-         "paper/in.printed"]  # fmt: skip
+DECKS = [
+    "in.axial",
+    "in.cage_ring",
+    "in.dry",
+    "in.many",
+    "in.nocage",
+    "in.preload",
+    "paper/in.printed",
+]
 
 
 @pytest.mark.parametrize("deck", DECKS)

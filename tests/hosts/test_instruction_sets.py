@@ -47,7 +47,16 @@ def test_same_bits(scene, integrator, step, tmp_path, monkeypatch):
     for name in ("wide", "narrow"):
         if name == "narrow":
             monkeypatch.setitem(host.ENVIRONMENT, "RACEWAY_NARROW_LANES", "1")
-        host.succeed("inputs/in.6208", out=tmp_path / name, **scene, integrator=integrator,
-                     step=step, rpm=4000, passes=1, settle=0.2, samples=50)  # fmt: skip
+        host.succeed(
+            "inputs/in.6208",
+            out=tmp_path / name,
+            **scene,
+            integrator=integrator,
+            step=step,
+            rpm=4000,
+            passes=1,
+            settle=0.2,
+            samples=50,
+        )
         records.append((tmp_path / name / "record.nc").read_bytes())
     assert records[0] == records[1]

@@ -9,9 +9,17 @@ from host import refuses, succeed
 
 DECK = "inputs/in.6208"
 SCENE = {"samples": 20, "record": "none", "flaw_outer": "file OUT/table.txt"}
-DATA = {"viscosity": "0.05", "ball_young": "2e11", "roughness": "2e-7", "permittivity": "2.3",
-        "inner_mass": "0.5", "balls": "8", "ball_density": "7000", "cage_ball_diameter": "8.3e-3",
-        "flaw_inner": "wave 12 1.0e-7 0"}  # fmt: skip
+DATA = {
+    "viscosity": "0.05",
+    "ball_young": "2e11",
+    "roughness": "2e-7",
+    "permittivity": "2.3",
+    "inner_mass": "0.5",
+    "balls": "8",
+    "ball_density": "7000",
+    "cage_ball_diameter": "8.3e-3",
+    "flaw_inner": "wave 12 1.0e-7 0",
+}
 
 
 def table(height):

@@ -73,8 +73,15 @@ def test_implicit(tmp_path, ranks):
 def test_many(tmp_path, integrator, step):
     """Several rings have values and tables on two ranks, and the cut between the ranks passes
     through two of the six bearings."""
-    case = {"bearings": 6, "columns": 3, "integrator": integrator, "step": step, "sample": 4 * step,
-            "time": 12 * step, "ramp": step}  # fmt: skip
+    case = {
+        "bearings": 6,
+        "columns": 3,
+        "integrator": integrator,
+        "step": step,
+        "sample": 4 * step,
+        "time": 12 * step,
+        "ramp": step,
+    }
     succeed("inputs/in.many", sanitized=True, ranks=2, out=tmp_path / "checked", **case)
     succeed("inputs/in.many", out=tmp_path / "plain", **case)
     same_files(tmp_path / "checked", tmp_path / "plain", "bearings.dump", read=frames)

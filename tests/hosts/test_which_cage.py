@@ -102,8 +102,15 @@ def test_first_balls_of_many_bearings(tmp_path):
     """In a grid of bearings, every cage starts with a pocket at the first ball of its bearing. A
     ball starts in the middle of its pocket and does not cross half the play (0.16 mm) within 2
     ms, so without a squeeze film there is no force."""
-    words = {"bearings": 5, "columns": 3, "time": 2e-3, "record": "all", "phase": 0.2,
-             "cage": "ring", "cage_without": "film"}  # fmt: skip
+    words = {
+        "bearings": 5,
+        "columns": 3,
+        "time": 2e-3,
+        "record": "all",
+        "phase": 0.2,
+        "cage": "ring",
+        "cage_without": "film",
+    }
     succeed("inputs/in.many", out=tmp_path, **words)
     whole = Run(tmp_path)
     for number in whole.bearing_numbers:

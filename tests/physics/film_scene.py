@@ -14,8 +14,13 @@ OVERLAPS = (-3e-6, -2.2e-6, -1.5e-6, -0.7e-6, -1e-7, -3e-8, 0.0, 3e-8, 1e-6, 17e
 
 
 def scene(share=1.0, starvation=1.0, regimes=False, shear=0, sliding=0.0):
-    return {"share": share, "starvation": starvation, "all_regimes": float(regimes),
-            "shear": float(shear), "sliding": sliding}  # fmt: skip
+    return {
+        "share": share,
+        "starvation": starvation,
+        "all_regimes": float(regimes),
+        "shear": float(shear),
+        "sliding": sliding,
+    }
 
 
 class Gap:

@@ -14,14 +14,38 @@ PITCH, BALL = 30.3e-3, 6.3e-3  # m, of a 6208
 BALL_MASS = 4 / 3 * np.pi * BALL**3 * 7800
 
 # Data for a raceway (RacewayInput in physics_c.cpp); the values describe a dry 6208 inner ring.
-RACEWAY = dict(side=INNER, raceway_radius=24.0e-3, groove_radius=6.552e-3, ball_radius=BALL,
-               ball_young=210e9, ball_poisson=0.3, ring_young=210e9, ring_poisson=0.3,
-               ellipse=EXACT, film=MASJEDI, viscosity=0.0, pressure_viscosity=0.0,
-               damper_full_axis=0, damper_rolling_radius=0, friction=FRICTIONLESS, mu=0.0,
-               mu_boundary=0.0, mu_full=0.0, lambda_1=1.0, lambda_2=3.0, hysteresis=0.08,
-               ring_roughness=0.0, ball_roughness=0.0, film_floor=-1.0, tangential_ratio=-1.0,
-               tangential_zeta=0.3, pitch_radius=PITCH, ball_mass=BALL_MASS, overlap_limit=0.1,
-               offset=0.0)  # fmt: skip
+RACEWAY = dict(
+    side=INNER,
+    raceway_radius=24.0e-3,
+    groove_radius=6.552e-3,
+    ball_radius=BALL,
+    ball_young=210e9,
+    ball_poisson=0.3,
+    ring_young=210e9,
+    ring_poisson=0.3,
+    ellipse=EXACT,
+    film=MASJEDI,
+    viscosity=0.0,
+    pressure_viscosity=0.0,
+    damper_full_axis=0,
+    damper_rolling_radius=0,
+    friction=FRICTIONLESS,
+    mu=0.0,
+    mu_boundary=0.0,
+    mu_full=0.0,
+    lambda_1=1.0,
+    lambda_2=3.0,
+    hysteresis=0.08,
+    ring_roughness=0.0,
+    ball_roughness=0.0,
+    film_floor=-1.0,
+    tangential_ratio=-1.0,
+    tangential_zeta=0.3,
+    pitch_radius=PITCH,
+    ball_mass=BALL_MASS,
+    overlap_limit=0.1,
+    offset=0.0,
+)
 OIL = dict(viscosity=0.04, pressure_viscosity=15e-9, ring_roughness=40e-9, ball_roughness=30e-9)
 
 # functions in exp_log.h, in the same order as in physics_c.cpp

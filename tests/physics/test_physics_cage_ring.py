@@ -128,10 +128,30 @@ def test_a_disc_churns_as_in_the_tables(physics):
 
 
 PITCH, BALL, PLAY = 19.52e-3, 3.97e-3, 0.1e-3
-CAGE = dict(pockets=9, spherical=0, pitch=PITCH, phase=0.3, along=PLAY, across=PLAY, stiffness=3e8,
-            mass=0.01, friction=0.1, creep=1e-2, shear=2e-7, film=0.0, guide=2, radius=21.7e-3,
-            clearance=0.15e-3, width=1.5e-3, viscosity=OIL, land_stiffness=3e8, wall=0.0, angle=0.7,
-            ball_radius=BALL, ball_mass=2e-3)  # fmt: skip
+CAGE = dict(
+    pockets=9,
+    spherical=0,
+    pitch=PITCH,
+    phase=0.3,
+    along=PLAY,
+    across=PLAY,
+    stiffness=3e8,
+    mass=0.01,
+    friction=0.1,
+    creep=1e-2,
+    shear=2e-7,
+    film=0.0,
+    guide=2,
+    radius=21.7e-3,
+    clearance=0.15e-3,
+    width=1.5e-3,
+    viscosity=OIL,
+    land_stiffness=3e8,
+    wall=0.0,
+    angle=0.7,
+    ball_radius=BALL,
+    ball_mass=2e-3,
+)
 
 
 def scene(pocket=3, push=(0.0, 0.0, 0.0), seed=0, tilt=0.0, **changes):

@@ -15,9 +15,17 @@ SHEAR = {
 
 
 def factor(physics, shear, speed, starvation=1.0, pressure=0.0, sliding=0.0):
-    return physics.call("film_factor", shear=shear, beta=0.047 if shear else 0.0, viscosity=0.04,
-                        conductivity=0.134 if shear else 0.0, starvation=starvation, speed=speed,
-                        pressure=pressure, sliding=sliding)  # fmt: skip
+    return physics.call(
+        "film_factor",
+        shear=shear,
+        beta=0.047 if shear else 0.0,
+        viscosity=0.04,
+        conductivity=0.134 if shear else 0.0,
+        starvation=starvation,
+        speed=speed,
+        pressure=pressure,
+        sliding=sliding,
+    )
 
 
 @pytest.mark.parametrize("shear", SHEAR)

@@ -12,9 +12,17 @@ STEP = TIME / 500
 
 
 def collide(physics, restitution=1.0, friction=0.0, along=0.0, spin=0.0, dt=STEP):
-    return physics.formula("grain_collision")(stiffness=K, restitution=restitution,
-                                              friction=friction, m=M, R=R, normal=V, along=along,
-                                              spin=spin, dt=dt)  # fmt: skip
+    return physics.formula("grain_collision")(
+        stiffness=K,
+        restitution=restitution,
+        friction=friction,
+        m=M,
+        R=R,
+        normal=V,
+        along=along,
+        spin=spin,
+        dt=dt,
+    )
 
 
 def energy(normal, along, spin):

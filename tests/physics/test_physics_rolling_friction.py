@@ -14,10 +14,29 @@ from scipy.optimize import brentq
 GROOVE, BALL, PITCH = 6.552e-3, 6.3e-3, 30.3e-3
 MODULUS = 210e9 / (1 - 0.3**2)
 FRICTION = 0.05
-REST = dict(side=INNER, overlap=18e-6, overlap_rate=0.0, cos_angle=1.0, entrainment=0.724764,
-            sliding_t=0.0, sliding_w=0.0, spin_n=0.0, roll_w=0.0, dt=1.0, least=1e-4, mu=FRICTION,
-            mu_boundary=0.12, mu_film=0.05, beta=0.047, starvation=0.9, alpha=0.01, density=870.0,
-            oil=0.1, eyring=0.0, limit=0.0)  # fmt: skip
+REST = dict(
+    side=INNER,
+    overlap=18e-6,
+    overlap_rate=0.0,
+    cos_angle=1.0,
+    entrainment=0.724764,
+    sliding_t=0.0,
+    sliding_w=0.0,
+    spin_n=0.0,
+    roll_w=0.0,
+    dt=1.0,
+    least=1e-4,
+    mu=FRICTION,
+    mu_boundary=0.12,
+    mu_film=0.05,
+    beta=0.047,
+    starvation=0.9,
+    alpha=0.01,
+    density=870.0,
+    oil=0.1,
+    eyring=0.0,
+    limit=0.0,
+)
 NONE = np.zeros(2)
 
 

@@ -12,9 +12,14 @@ def rest(physics, passes, window=0, **series):
     """Return the remaining changes after `passes` ball passes, whose means are `series`, or how far
     means over `window` ball passes wander. Any means that are not given are 1, or 0 for the pitch.
     """
-    given = dict(torque=np.ones(passes), load=np.ones((passes, 2)), cage_speed=np.ones(passes),
-                 pocket_force=np.ones(passes), pitch=np.zeros(passes),
-                 cage_orbit=np.ones(passes))  # fmt: skip
+    given = dict(
+        torque=np.ones(passes),
+        load=np.ones((passes, 2)),
+        cage_speed=np.ones(passes),
+        pocket_force=np.ones(passes),
+        pitch=np.zeros(passes),
+        cage_orbit=np.ones(passes),
+    )
     return physics.call("settling_rest", passes=passes, window=window, **{**given, **series})
 
 

@@ -9,10 +9,16 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 
 def bearing_of(settings):
     """Return the bearing that a run with these settings simulates."""
-    return Bearing(int(settings["balls"]), settings["ball_diameter_m"], settings["inner_radius_m"],
-                   settings["outer_radius_m"], settings["inner_groove_m"],
-                   settings["outer_groove_m"], young=float(settings["ball_young_Pa"]),
-                   poisson=float(settings["ball_poisson"]))  # fmt: skip
+    return Bearing(
+        int(settings["balls"]),
+        settings["ball_diameter_m"],
+        settings["inner_radius_m"],
+        settings["outer_radius_m"],
+        settings["inner_groove_m"],
+        settings["outer_groove_m"],
+        young=float(settings["ball_young_Pa"]),
+        poisson=float(settings["ball_poisson"]),
+    )
 
 
 def shaft_speed(settings):

@@ -127,8 +127,17 @@ def test_parts_of_a_cage_can_be_left_out(tmp_path, part):
     damping of the walls is never below 0."""
     out = sorted({"friction", "shear", "film", "land", "churning"} - {part})
     land = dict(cage_guide="outer", cage_land=34e-3, cage_clearance=2e-4, cage_width=2e-3)
-    succeed("inputs/in.cage_ring", out=tmp_path, cage_without="+".join(out), cage_play=3e-4,
-            settle=0, passes=1, samples=20, oil_level=1, **land)  # fmt: skip
+    succeed(
+        "inputs/in.cage_ring",
+        out=tmp_path,
+        cage_without="+".join(out),
+        cage_play=3e-4,
+        settle=0,
+        passes=1,
+        samples=20,
+        oil_level=1,
+        **land,
+    )
     record = Run(tmp_path).tables.record
     names = ["bearing_cage_power", "ring_spin", "ring_x", "ring_y", "ball_omegaz"]
     found = record.read(names)

@@ -25,8 +25,13 @@ HELD = dict(radial_load=2000.0, axial_load=1000.0, held={"rx": TILT, "ry": 0.0},
 def words(case):
     """Return the deck variables for a case that is given as keywords of `static.equilibrium`."""
     moment = case.get("moment", (0.0, 0.0))
-    result = dict(load=case["radial_load"], axial=case["axial_load"], clearance=case["clearance"],
-                  moment_x=moment[0], moment_y=moment[1])  # fmt: skip
+    result = dict(
+        load=case["radial_load"],
+        axial=case["axial_load"],
+        clearance=case["clearance"],
+        moment_x=moment[0],
+        moment_y=moment[1],
+    )
     if "held" in case:
         result["tilts"] = (
             f"rx position {case['held']['rx']:.15g} ry position {case['held']['ry']:.15g}"

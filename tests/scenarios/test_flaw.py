@@ -133,16 +133,27 @@ def test_energy_of_a_ball_that_turns_over_its_own_flaws(tmp_path):
     motion. Both integrators give the same path."""
     azimuth = np.arange(4000) * 2 * np.pi / 4000
     np.savetxt(tmp_path / "table.txt", np.c_[azimuth, 2e-7 * np.sin(7 * azimuth)])
-    flaws = f"ball pit -1.8 0.02 1e-3 4e-4 1e-3 5e-5 wave 9 2e-7 0.3 file {tmp_path}/table.txt"
-    largest = "all bearing/implicit largest 2.5e-8"
     steps = {
         "verlet": dict(step=1e-7, steps=60000, every=200),
-        "implicit": dict(step=1e-6, steps=6000, every=20, mover=largest),
+        "implicit": dict(
+            step=1e-6, steps=6000, every=20, mover="all bearing/implicit largest 2.5e-8"
+        ),
     }
     drops = []
     for mover, given in steps.items():
-        b = rolled(tmp_path / mover, "none", mover, flaw_ball=flaws, turning=80, tumbling=10,
-                   speed=0, azimuth=BOTTOM, sink=7.2e-7, **given)  # fmt: skip
+        b = rolled(
+            tmp_path / mover,
+            "none",
+            mover,
+            flaw_ball="ball pit -1.8 0.02 1e-3 4e-4 1e-3 5e-5 wave 9 2e-7 0.3"
+            f" file {tmp_path}/table.txt",
+            turning=80,
+            tumbling=10,
+            speed=0,
+            azimuth=BOTTOM,
+            sink=7.2e-7,
+            **given,
+        )
         assert np.ptp(b["spin"]) > 1e-3 * b["spin"][0]
         assert np.abs(b["energy"] - b["energy"][0]).max() < 1e-6 * b["spin"].min()
         drops.append(b["drop"])

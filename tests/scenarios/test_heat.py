@@ -126,8 +126,17 @@ def test_jumps_against_small_ones(tmp_path):
     assert float(ends[0]["run_time"]) < 0.6
 
 
-PRELOAD = dict(lubricant="dry", load=200, rpm=20000, clearance=-60e-6, cooling=20, passes=1,
-               record="summary", models="full", settle="auto")  # fmt: skip
+PRELOAD = dict(
+    lubricant="dry",
+    load=200,
+    rpm=20000,
+    clearance=-60e-6,
+    cooling=20,
+    passes=1,
+    record="summary",
+    models="full",
+    settle="auto",
+)
 
 
 def test_preloaded_bearing_seizes_by_its_cooling(tmp_path):

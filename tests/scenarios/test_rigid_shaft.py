@@ -108,9 +108,16 @@ def test_free_body(tmp_path, mover):
     is a gyroscopic moment."""
     step = MOVERS[mover]["step"]
     words = "mass 4 inertia 2e-3 2e-2 centre 0.08 load 0.15 30 0 0 load 0.08 0 10 0"
-    data, energy = swing(tmp_path, **MOVERS[mover], control="tolerance 1e-12 energy yes",
-                         freedoms=f"{TILTING} 3000", words=words, clearance=AIR,
-                         steps=round(4e-3 / step), every=round(1e-4 / step))  # fmt: skip
+    data, energy = swing(
+        tmp_path,
+        **MOVERS[mover],
+        control="tolerance 1e-12 energy yes",
+        freedoms=f"{TILTING} 3000",
+        words=words,
+        clearance=AIR,
+        steps=round(4e-3 / step),
+        every=round(1e-4 / step),
+    )
     time = data["time"]
     assert data["x"] == pytest.approx(30 / MASS * time**2 / 2, rel=1e-4, abs=1e-10)
     assert data["y"] == pytest.approx(10 / MASS * time**2 / 2, rel=1e-4, abs=1e-10)

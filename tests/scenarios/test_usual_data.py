@@ -16,10 +16,16 @@ from raceway import cli, inputs
 
 SHORT = {"passes": 1, "samples": 50, "dumps": "yes"}
 # the play is that of inputs/bearings/6208, whose cage balls have 33 um of play on each side
-USUAL = {"balls": 9, "ball_diameter": 12.6e-3, "pitch_diameter": 60.6e-3, "inner_conformity": 0.52,
-         "outer_conformity": 0.52,
-         "pocket_play": 2 * (60.6e-3 * math.sin(math.pi / 18) - 6.3e-3 - 4.19e-3),
-         "bore_diameter": 40e-3, "bearing_width": 18e-3}  # fmt: skip
+USUAL = {
+    "balls": 9,
+    "ball_diameter": 12.6e-3,
+    "pitch_diameter": 60.6e-3,
+    "inner_conformity": 0.52,
+    "outer_conformity": 0.52,
+    "pocket_play": 2 * (60.6e-3 * math.sin(math.pi / 18) - 6.3e-3 - 4.19e-3),
+    "bore_diameter": 40e-3,
+    "bearing_width": 18e-3,
+}
 
 
 def folder(tmp_path, usual):

@@ -16,8 +16,9 @@ LOAD, RPM, CLEARANCE = 400.0, 6000.0, 12e-6
 @pytest.fixture(scope="module")
 def run(tmp_path_factory):
     folder = tmp_path_factory.mktemp("play") / "run"
-    succeed("inputs/in.6208", out=folder, passes=2, samples=60, load=LOAD, rpm=RPM,
-            clearance=CLEARANCE)  # fmt: skip
+    succeed(
+        "inputs/in.6208", out=folder, passes=2, samples=60, load=LOAD, rpm=RPM, clearance=CLEARANCE
+    )
     return raceway.open(folder)
 
 
@@ -34,8 +35,16 @@ def whole(run, filling):
 
 
 def point(filling, phase=0.0):
-    return electric_point.solve("6208", "mineral", ROOT / "inputs", load=LOAD, rpm=RPM,
-                                clearance=CLEARANCE, phase=phase, filling=filling)  # fmt: skip
+    return electric_point.solve(
+        "6208",
+        "mineral",
+        ROOT / "inputs",
+        load=LOAD,
+        rpm=RPM,
+        clearance=CLEARANCE,
+        phase=phase,
+        filling=filling,
+    )
 
 
 def test_mean_is_that_of_statics(whole, filling):
