@@ -12,7 +12,8 @@
 #if BEARING_IS_LIGGGHTS
 #include "atom_vec.h"
 #else
-#include "library.h"    // the wheel has no atom_vec.h
+#include "library.h"    // the wheel does not contain atom_vec.h, so atoms are created through the C
+                        // interface
 #endif
 
 namespace bearing {

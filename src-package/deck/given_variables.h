@@ -17,7 +17,8 @@ Names words_after(const char *option, const char *other);
 struct DeckNames {
   Names settable;    // variables that -var can set, and words after `vars`
   Names index;       // variables defined by lines `variable NAME index VALUE`
-  Names passed;      // passed to a command after `vars`, or as `NAME ${NAME}` or `NA ${NA_ME}`
+  Names passed;      // variables passed to a command after `vars`, or as `NAME ${NAME}` or `NA
+                     // ${NA_ME}`
 };
 
 // Adds the variables of the deck in a file. Returns false if the file cannot be read.

@@ -87,7 +87,8 @@ std::string note_of_deck(const NamedData &data)
     const auto of_file = data.of_file.find(name);
     if (of_file == data.of_file.end() || of_file->second == data.values.at(name)) continue;
     const DeckVariable *const of = find_deck_variable(name);
-    if (of && !of->of_data()) continue;    // those of the pair style, e.g. the temperature
+    if (of && !of->of_data()) continue;    // variables such as the temperature belong to the pair
+                                           // style
     list += (list.empty() ? "" : ", ") + name + " " + data.values.at(name) + " instead of " +
             of_file->second;
   }

@@ -101,7 +101,8 @@ class HomeBearings : protected LAMMPS_NS::Pointers {
     double *kept;
     Place place;
   };    // contact of a ball that is owned by this rank and whose home is here
-  struct Letter {    // bodies, rings and contact states for another rank
+  struct Letter {    // message to or from another rank, which contains bodies, rings and contact
+                     // states
     int rank;
     std::vector<int> body_atom, ring_atom;                       // of the owner
     std::vector<double *> kept;                                  // of the owner

@@ -76,7 +76,8 @@ std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBear
   };
   for (int i = 0; i < nall; ++i)
     if (sources_.is_ring(atom->type[i])) tell(i);
-  for (const BearingSources::MovedRing &m : sources_.moved)    // shafts and supports connect rings
+  for (const BearingSources::MovedRing &m : sources_.moved)    // shafts and supports also connect
+                                                               // rings
     for (tag_t other : {m.shaft, m.holder})
       if (other != 0) nodes.push_back({other, atom->tag[m.i], comm->me, 1, 0});
   for (const SphereContact &s : table.sphere)

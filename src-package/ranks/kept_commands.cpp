@@ -30,7 +30,8 @@ void write_commands(FILE *fp, const Commands &commands)
   }
 }
 
-constexpr int MOST = 1000000;    // most commands, words per command, characters per word
+constexpr int MOST = 1000000;    // largest number of commands, words per command, or characters per
+                                 // word
 
 // Returns the layout number of the restart file, 0 if it has none, or a negative value if the file
 // ends early.

@@ -41,7 +41,8 @@ class RingSum : protected LAMMPS_NS::Pointers {
       torque.to(p.said + 3);
     }
   }
-  void flush();    // adds the sums to atom->f and atom->torque of owned rings; collective
+  void flush();    // adds the sums to atom->f and atom->torque of owned rings; must be called on
+                   // all ranks
 
   // Owned rings in the order of tags, with their local indices and the force and torque at the last
   // flush().

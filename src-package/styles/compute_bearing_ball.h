@@ -24,7 +24,8 @@ class ComputeBearingBall : public Compute, public bearing::ColumnList {
 
  private:
   struct Column {
-    int own;                                    // index of a column of the ball itself, or -1
+    int own;                                    // index of a column that belongs to the ball
+                                                // itself, or -1
     bool inner;                                 // true if the contact is with the inner raceway
     const bearing::ContactColumn *attribute;    // column of a contact, or null
   };

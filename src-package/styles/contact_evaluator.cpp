@@ -54,7 +54,8 @@ void ContactEvaluator::evaluate(ContactTable &of, const Setting &set)
     const RacewayPhysics &p = *of_all.raceway;
     four.groove = groove_of(of_all);
     four.dt = advances(of_all) ? update->dt : 0.0;
-    if (set.facts->decides) {    // contacts that touched before come first
+    if (set.facts->decides) {    // the law has a nonzero reach, so contacts that touched before
+                                 // come first
       near_.clear();
       for (const bool touched : {true, false})
         for (int n = first; n < next; ++n)

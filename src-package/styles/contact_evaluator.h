@@ -33,7 +33,8 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
 
   // Return results for row n of the table. They are valid for live contacts only.
   const raceway::ContactForces &forces(size_t n) const { return found_[n]; }
-  double energy(size_t n) const { return energies_.empty() ? 0.0 : energies_[n]; }    // J
+  double energy(size_t n) const { return energies_.empty() ? 0.0 : energies_[n]; }    // stored
+                                                                                      // energy, J
   // Returns the state of the ring at the groove, which may be offset from the ring's mid-plane.
   raceway::RingState groove_of(const RacewayContact &) const;
 
@@ -50,7 +51,8 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
 
   Setting set_ = {};
   RacewayContact *rows_ = nullptr;       // rows of the table
-  std::vector<int> by_groove_, near_;    // rows by groove; rows of one groove that are near contact
+  std::vector<int> by_groove_, near_;    // rows of all grooves; rows of one groove that are near
+                                         // contact
   std::vector<raceway::ContactForces> found_;
   std::vector<double> energies_;
   std::vector<raceway::FlawedPlace> flaws_;    // empty if all surfaces are smooth

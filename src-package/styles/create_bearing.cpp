@@ -237,7 +237,8 @@ void CreateBearing::seat(const Arguments &args, const Groove &inner, const Groov
   const double sine = std::sqrt(1.0 - cosine * cosine);
   const double way = gaps * sine - (in_offset + out_offset);
   if (way < 0.0) return;
-  const double room = 1.0 + 1e-9;    // without clearance, the angles are equal but for rounding
+  const double room = 1.0 + 1e-9;    // if there is no clearance, the angles are equal up to
+                                     // rounding errors
   if (in_gap * sine * room < in_offset || out_gap * sine * room < out_offset)
     args.fail("'seat': a ball would lie in both grooves of one ring and one of the other; their "
               "contact angles are " +

@@ -34,10 +34,11 @@ class CreateBearing : public bearing::CommandBase {
     double centre[3] = {0.0, 0.0, 0.0};
     double phase = 0.0;                             // rad, azimuth of the first ball
     double inner_speed = 0.0, outer_speed = 0.0;    // rad/s
-    int seat = 0;           // +1, -1: the inner ring starts at the balls, moved forward or backward
-    double thrust = 0.0;    // N, on the inner ring
-    double middle = 0.0;    // m, radius midway between the raceways
-    double pitch = 0.0;     // m, radius of the circle through the balls' centres
+    int seat = 0;    // +1 or -1: the inner ring starts moved forward or backward into contact with
+                     // all balls
+    double thrust = 0.0;                   // N, on the inner ring
+    double middle = 0.0;                   // m, radius midway between the raceways
+    double pitch = 0.0;                    // m, radius of the circle through the balls' centres
     double ball_z = 0.0, inner_z = 0.0;    // m, positions along the axis
     double cosine = 1.0;                   // cosine of the contact angle
     bool groups = false;                   // true if the groups are to be created

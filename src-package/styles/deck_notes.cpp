@@ -177,7 +177,8 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
       }))
     add("bearing", b.word("bearing"));
   if (list.size() > 1) {
-    std::string lines, numbers;    // a line per name; the line's index per bearing
+    std::string lines, numbers;    // one line per name, and the index of the line for each bearing
+                                   // in the record
     for (const NamedBearing *one : list)
       lines += (lines.empty() ? "" : "\n") + words_of(lmp, *one, *named);
     for (const int type : ball_types(lmp, layout)) {

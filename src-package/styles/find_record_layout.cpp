@@ -28,7 +28,8 @@ struct Piece {
   enum Kind { kind, ball, cage, ring } what;
   double bearing, tag;    // number that identifies the bearing; tag of the atom
   int raceway;
-  double of[of_kind::N];    // data of the bearing or, for a ring, its origin, play, guide, phase
+  double of[of_kind::N];    // data of the bearing; for a ring: its origin, pocket play, guide and
+                            // phase
 };
 
 bool before(const Piece &a, const Piece &b)
@@ -40,7 +41,8 @@ bool before(const Piece &a, const Piece &b)
 // whose group contains the ball.
 std::map<double, double> permittivities(LAMMPS *lmp)
 {
-  std::vector<double> mine, space;    // mine: tag of a ball, permittivity, tag, ...
+  std::vector<double> mine, space;    // `mine` contains alternately the tag of a ball and a
+                                      // permittivity
   for (const FixBearingCapacitance *f : capacitances_of(lmp))
     for (int i = 0; i < lmp->atom->nlocal; ++i)
       if (f->covers(i)) {

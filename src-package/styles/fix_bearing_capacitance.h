@@ -102,16 +102,19 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   double background_ = 0.0;
   raceway::FilmQuestions ask_;
   bearing::CapacitorTable table_;    // capacitors including their surroundings
-  int planned_ = -1;                 // times the contact table was built; filled
+  int planned_ = -1;                 // counts of how often the contact table has been built and
+                                     // filled
   bigint filled_ = -1;
-  double **per_ball_ = nullptr;    // F: inner, outer, in series; also with surroundings
+  double **per_ball_ = nullptr;    // capacitances of the inner contact, the outer contact and both
+                                   // in series; the same including surroundings
   int within_ = 1;                 // number of instants per step; the last is at its end
   std::vector<bearing::InstantSource *> integrators_;    // sources of the instants within steps
   bearing::TagSet members_;    // balls of the group, filled only if there are integrators_
   std::vector<Row> mine_;      // balls of this rank in this step; reused buffer
   bearing::TextFile totals_, contacts_;
   bool grooves_ = false;                       // list the grooves separately in the second file
-  bool between_ = false, summed_ = true;       // mine_ has instants in the step; sums are known
+  bool between_ = false, summed_ = true;       // mine_ contains instants within the step; the sums
+                                               // below are up to date
   Total total_ = {};                           // values at the end of the step
   std::vector<raceway::SampledBall> balls_;    // balls at one instant; reused buffer
   bigint written_ = -1;                        // step of the last row in the files

@@ -79,7 +79,8 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
       if (f != this && dynamic_cast<const FixBearingCheckpoint *>(f))
         args.fail(std::string("fix ") + f->id +
                   " already has this style: the host writes only one series of restart files");
-  if (means_.empty()) means_.emplace_back();    // the counters come second
+  if (means_.empty()) means_.emplace_back();    // an empty mean is added because the counters come
+                                                // second
   sums_.assign(means_.size() + (ring_id_.empty() ? 0 : 6), 0.0);
   before_.assign(counters_.size(), 0.0);
   length_.assign(files_.size(), 0.0);
@@ -135,7 +136,8 @@ void FixBearingCheckpoint::init()
             " of this style");
   check_deck();
   if (!resumed_ && comm->me == 0 && !begun_)
-    unlink(file_.c_str());    // of an earlier run, which this run replaces
+    unlink(file_.c_str());    // this is the restart file of an earlier run, which is replaced by
+                              // this run
   begun_ = true;
 }
 

@@ -187,7 +187,8 @@ FixBearingCircuit::balls_of(const std::vector<tag_t> &tags, std::vector<Row> min
               std::to_string(row.ring) + "; give each bearing a group and a fix");
     ring[row.side] = row.ring;
     const size_t k = std::lower_bound(tags.begin(), tags.end(), row.ball) - tags.begin();
-    balls[k].azimuth = row.azimuth;    // about the axis of the outer ring, which comes last
+    balls[k].azimuth = row.azimuth;    // measured about the axis of the outer ring, which comes
+                                       // last
     balls[k].film[row.side].add(row.film);
   }
   return balls;

@@ -59,14 +59,16 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   };
   struct Grain {
     std::vector<Contact> contacts;
-    double lost = 0.0;    // J, dissipated; a contact of two grains counts half for each
+    double lost = 0.0;    // energy dissipated so far, J; each contact with another grain counts
+                          // half
   };
   // A shaft with walls, which is known on all ranks. The bearing axis is the third component.
   struct Shaft {
     std::string id;
     FixBearingShaft *fix = nullptr;
     raceway::RingAtom now, before;
-    raceway::Vec3 force, moment;    // N, N m, of the grains about the shaft's centre
+    raceway::Vec3 force, moment;    // force (N) and moment (N m) exerted by grains, referred to the
+                                    // shaft's centre
   };
   struct Velocity {
     raceway::Vec3 v, w;

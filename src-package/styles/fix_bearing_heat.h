@@ -52,7 +52,8 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   // Current temperatures (C) of the contacts, from INNER to OIL as in core/figures/fix_columns.h.
   std::array<double, 5> temperatures() const;
   bool covers_type(int ball_type) const;
-  double ambient() const { return network_.ambient; }    // C, at which the clearance is given
+  double ambient() const { return network_.ambient; }    // ambient temperature, C, at which the
+                                                         // bearing has the given clearance
 
  private:
   enum Stage { WAIT, RAMP, WATCH, LAST, STAY, READY };
@@ -65,7 +66,8 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
     double since = 0.0;                         // s, time since this stage began
     double run = 0.0;                           // s, total time
     double summed = 0.0;                        // s, time covered by `sum`
-    double oil = 0.0;                           // C, of the oil in the current contact law
+    double oil = 0.0;                           // C, oil temperature used in the current contact
+                                                // law
     double begin[raceway::heat_nodes] = {};     // C, temperatures at the start
     double from[parts] = {}, to[parts] = {};    // C, at the start and end of the clearance ramp
     double jump = 0.0;                          // s, length of the last jump

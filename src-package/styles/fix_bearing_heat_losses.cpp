@@ -22,7 +22,8 @@ HeatPass FixBearingHeat::losses()
 {
   struct Share {
     bearing::tag_t first, second;
-    double place;                      // groove of the contact; -1: with a cage
+    double place;                      // index of the groove of a contact; -1 for a contact with a
+                                       // cage
     double ball, inner, outer, oil;    // W
     double to_inner, to_outer;         // W/K
   };

@@ -134,7 +134,8 @@ void FixBearingImplicit::init()
 void FixBearingImplicit::find_rings()
 {
   const std::vector<FixBearingRing *> all = bearing::fixes_of<FixBearingRing>(lmp);
-  std::vector<int> seen;    // for each fix: has rings in the group, has rings outside it
+  std::vector<int> seen;    // two flags per fix: it has rings in the group; it has rings outside
+                            // the group
   for (const FixBearingRing *r : all) {
     int mine = 0, others = 0;
     for (int i = 0; i < atom->nlocal; ++i)
@@ -236,7 +237,8 @@ raceway::Vec3 FixBearingImplicit::gravity()
   const size_t n = 3 * static_cast<size_t>(atom->nlocal);
   if (n > 0) forces_.assign(&atom->f[0][0], &atom->f[0][0] + n);
   raceway::Vec3 fall;
-  double mass = 1.0;    // kg, on all ranks, so that they round alike
+  double mass = 1.0;    // kg, a fixed value, so that rounding does not depend on the first atom of
+                        // the rank
   int one = 0;
   while (one < atom->nlocal && !(atom->mask[one] & groupbit)) ++one;
   if (one < atom->nlocal) {

@@ -54,7 +54,8 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   // shaft; each system has its own substeps.
   double systems() const;
   struct Control {
-    double tolerance, relative, cage;    // m; of the largest overlap; m, of cage balls
+    double tolerance, relative, cage;    // tolerance, m; tolerance relative to the largest overlap;
+                                         // tolerance of cage balls, m
     bool estimate;
   };
   Control control() const;
@@ -97,7 +98,8 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   [[noreturn]] void give_up(const OwnBearing &, double h) const;
 
   PairBearingHertz *pair_;
-  double tolerance_ = 0.0;    // m, allowed error of a position in a substep; 0: unknown
+  double tolerance_ = 0.0;    // m, allowed local error of a position in a substep; 0 until it is
+                              // known
   bool laws_changed_ = false;
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ has been set
   struct Capacitors {
@@ -111,9 +113,12 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   double largest_ = HUGE_VAL;        // s, largest substep
   double creep_ = 0.01;
   double cage_ = 0.0;                           // tolerance of cage balls, m, or 0
-  double relative_ = NAN;                       // NAN: that of the pair style
-  std::optional<bool> estimate_;                // empty: as the pair style says
-  double sampling_ = 0.0, oversampling_ = 4;    // Hz; samples of the record per sample
+  double relative_ = NAN;                       // relative tolerance; NAN if it is set by the pair
+                                                // style
+  std::optional<bool> estimate_;                // true: control by error estimates; empty if this
+                                                // is set by the pair style
+  double sampling_ = 0.0, oversampling_ = 4;    // sampling rate of the signal, Hz; samples in the
+                                                // record per sample of the signal
   std::vector<FixBearingRing *> rings_;         // fixes whose rings are integrated by this fix
   std::vector<Fix *> gravity_;                  // gravity fixes that act on all atoms of the group
   std::vector<double> forces_;                  // forces saved while gravity is evaluated

@@ -21,7 +21,8 @@ struct FixBearingImplicit::OwnBearing {
 };
 
 struct FixBearingImplicit::Solver {
-  raceway::BearingIntegrator::Settings settings, fine;    // in use; as in the deck
+  raceway::BearingIntegrator::Settings settings, fine;    // settings for the current step; settings
+                                                          // given in the deck
   raceway::BearingIntegrator::Energy energy;              // totals up to the last neighbour build
   bearing::HomeBearings bearings;
   std::vector<OwnBearing> own;    // one entry per bearing whose home is on this rank

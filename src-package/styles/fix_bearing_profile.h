@@ -24,7 +24,8 @@ class FixBearingProfile : public Fix {
   void init() override;
   void pre_force(int) override;
 
-  bool departs() const { return settings_.departs(); }    // from a torus or sphere
+  bool departs() const { return settings_.departs(); }    // true if the surfaces deviate from a
+                                                          // torus or sphere
   bool of_balls() const { return settings_.of_balls; }
   const std::string &said() const { return said_; }    // keywords and values of the command
 

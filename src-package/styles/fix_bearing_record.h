@@ -86,11 +86,13 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   class PairBearingHertz *pair_;
   std::string command_, folder_, path_;
   bool single_ = false, sampled_ = true, motion_ = true, overwrite_ = false;
-  bearing::NetcdfHeader::Attributes notes_, about_;    // given; all
+  bearing::NetcdfHeader::Attributes notes_, about_;    // attributes from the command; all
+                                                       // attributes, including derived ones
   bearing::ContactSelection columns_;
   bearing::ContactContext context_;
   bool dumps_ = false;
-  int within_ = 1;                                         // samples per step, the last at its end
+  int within_ = 1;                                         // samples per step, of which the last is
+                                                           // at its end
   double a_pass_ = 0.0;                                    // number of samples per ball pass, or 0
   bool allowed_ = false;                                   // true if the folder may be overwritten
   std::vector<class FixBearingImplicit *> integrators_;    // sources of the instants within steps

@@ -117,7 +117,8 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   RingProgram at_end(const Values &) const;
   RingProgram at_end(int i) const { return at_end(values(i)); }
   virtual double mass_of_atom() const { return settings_.program.mass; }
-  raceway::Vec3 load_of(const RingProgram &, int i) const;    // N; third component: axis
+  raceway::Vec3 load_of(const RingProgram &, int i) const;    // force, N; the bearing axis is the
+                                                              // third component
   raceway::RingAtom read(int i) const;
   void write(int i, const raceway::RingAtom &);
   // Computes the forces of the supports on a ring (RingProgram::SPIN values, N and N m) if the
@@ -148,10 +149,12 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   struct Imposed {
     double at[RingProgram::N_DOF] = {NAN, NAN, NAN, NAN, NAN, NAN};
     double moved[RingProgram::N_DOF] = {},
-           before[RingProgram::N_DOF] = {};    // imposed values and their last two changes
+           before[RingProgram::N_DOF] = {};    // imposed values and their changes in the last two
+                                               // steps
   } imposed_;
   Values now_, before_;                 // values of all rings in this step and the previous one
-  std::vector<int> own_;                // values that differ between rings
+  std::vector<int> own_;                // indices of the values that are specified separately for
+                                        // each ring
   std::vector<Values> per_ring_;        // values with these indices, indexed by local atom
   bool called_back_ = false;            // true if the host moves per_ring_ along with the atoms
   bool by_another_ = false;             // true if a fix bearing/implicit integrates these rings

@@ -29,18 +29,22 @@ class FixBearingRun : public Fix {
     double pass = 0.0;                   // s, duration of a ball pass
     double start = 0.0;                  // s, time at step 0
     double a_pass = 0.0;                 // number of samples per ball pass
-    double begin = 0.0;                  // s, first part of settling, with the load ramp
-    double begin_steps = 0.0;            // steps in this part; 0 while steps are adaptive
+    double begin = 0.0;                  // s, duration of the first part of settling, including the
+                                         // load ramp
+    double begin_steps = 0.0;            // number of steps in this part; 0 until adaptive steps
+                                         // have ended
     double first_step = 0.0;             // step at which the first evaluated ball pass begins
     double passes = 0.0;                 // number of ball passes evaluated since then
     double steps = 0.0;                  // steps per ball pass, a multiple of `every`; 0 if unset
     double samples = 0.0;                // number of samples in the current ball pass
-    double settled = 0.0;                // changes below which `settle orbit` ends
+    double settled = 0.0;                // `settle orbit` ends when the changes are below this
+                                         // value
     double evaluations = 0.0;            // number of force evaluations while settling
     double may_be_coarse = 0.0;          // 1 if the steps may be coarse while settling
     double coarse = 0.0;                 // 1 if the steps of the current ball pass are coarse
     bearing::SettlingSample sum;         // sum of the samples
-    bearing::SettlingChanges changes;    // in the last ball pass, for `settle orbit`
+    bearing::SettlingChanges changes;    // changes between the last two ball passes, for `settle
+                                         // orbit`
     bearing::SettlingChanges rest;       // estimated remaining changes, if settling depends on them
   };
 

@@ -101,7 +101,8 @@ class FixBearingShaft : public FixBearingRing {
 
   bearing::ShaftSettings shaft_;
   raceway::BendState bend_;
-  std::vector<double> places_;    // m, of the rings from the shaft's centre, by tag
+  std::vector<double> places_;    // m, positions of the rings relative to the shaft's centre,
+                                  // sorted by tag
   double middle_ = 0.0;           // m, mean of the rings' positions along the axis
   raceway::RingAtom between_;     // state of the shaft between kick and drift
 };

@@ -45,7 +45,8 @@ class FixBearingState : public Fix {
  public:
   struct PerAtom;
   static constexpr const char *fixed_id = "BEARING_STATE";
-  static constexpr int max_grooves = 4;    // most grooves per ball with a contact state
+  static constexpr int max_grooves = 4;    // largest number of grooves per ball that have a contact
+                                           // state
   static constexpr int room = raceway::most_states;
 
   using RingMotion = bearing::RingMotion;

@@ -73,7 +73,8 @@ void FixBearingTimestep::check()
 
 void FixBearingTimestep::set_step(double dt)
 {
-  update->update_time();    // keeps the thermo keyword 'time' continuous
+  update->update_time();    // the thermo keyword 'time' must remain continuous with steps of
+                            // varying length
   update->dt = dt;
   if (force->pair) force->pair->reset_dt();
   for (int i = 0; i < modify->nfix; ++i) modify->fix[i]->reset_dt();

@@ -20,7 +20,8 @@ class FixBearingVerlet : public Fix {
   void init() override;
 
  private:
-  std::string name() const { return std::string(id) + "_BALLS"; }    // of the group and fix
+  std::string name() const { return std::string(id) + "_BALLS"; }    // name of the group and of the
+                                                                     // fix
 };
 
 }    // namespace LAMMPS_NS

@@ -12,7 +12,8 @@ namespace bearing {
 struct NamedBearing {
   std::string name;
   int balls = 0, cage = 0, inner = 0, outer = 0;    // atom types
-  bool has_cage = true, has_cage_ring = false;      // balls on rails; one piece
+  bool has_cage = true, has_cage_ring = false;      // cage of balls on rails; one-piece cage; both
+                                                    // false: no cage
   // Complete data as text in SI units, with clearance (m, diametral), contact_angle and four_point
   // (degrees), b_inner_raceway and b_outer_raceway (m), and b_inner_arch and b_outer_arch (words of
   // pair_coeff).
@@ -20,7 +21,8 @@ struct NamedBearing {
 
   std::vector<std::string> given;            // data given by the user as NAME=VALUE
   mutable bool in_use = false;               // true if it is used in the current box
-  mutable std::map<tag_t, double> phases;    // rad, first ball at the start, by cage
+  mutable std::map<tag_t, double> phases;    // rad, initial azimuth of the first ball for each
+                                             // one-piece cage
 
   double number_or(const std::string &key, double missing) const
   {

@@ -48,7 +48,8 @@ class OrbitBalls {
     double row, away;         // tag of the nearest outer ring, and its distance along the axis, m
     double tag, load;         // load: N, total of both raceways
     double inner;             // N, load on the inner raceway
-    raceway::Vec3 x, v, w;    // relative to the bearing's centre; third component: axis
+    raceway::Vec3 x, v, w;    // relative to the bearing's centre; the third component is along the
+                              // axis
     double azimuth() const { return std::atan2(x.y, x.x); }
     double radius() const { return std::hypot(x.x, x.y); }
     raceway::Vec3 place(const raceway::Vec3 &) const;    // radial, tangential and axial components

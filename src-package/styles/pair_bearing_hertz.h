@@ -124,7 +124,8 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::SimulatedTime time_;
   bearing::PairCoefficients coefficients_;
   bearing::SurfaceProfiles profiles_;
-  bearing::Commands commands_;                  // all so far, repeated after a restart
+  bearing::Commands commands_;                  // commands read so far, which are repeated after a
+                                                // restart
   std::set<std::pair<int, int>> cage_types_;    // types of created bearings, smaller type first
   std::vector<bearing::LawFollower *> followers_;
   std::set<int> silent_types_;    // types without pair_coeff for which a warning was printed

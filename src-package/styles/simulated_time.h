@@ -51,7 +51,8 @@ class SimulatedTime {
 
  private:
   State left_ = {};
-  bool known_ = false, read_ = false;    // read_: the time is that of a restart file
+  bool known_ = false, read_ = false;    // read_: the time comes from a restart file, and there has
+                                         // been no run since
 };
 
 }    // namespace bearing

@@ -23,7 +23,8 @@ struct BallTurns {
   void start();                                          // starts a step: base = from
   void move(const BodyGroup &, double h);                // now is h seconds after base
   void coast(const BodyGroup &, double h, bool on);      // starts at `from`, or at `now` if `on`
-  void second_base(double beyond);                       // base: from, turned `beyond` times
+  void second_base(double beyond);                       // base = from, rotated by `beyond` times
+                                                         // the last rotation
   void accept();                                         // from = now
   void rest() { std::copy(from, from + lanes, now); }    // now = from
   void keep() { std::copy(now, now + lanes, end); }      // saves `now` before it is changed

@@ -134,7 +134,8 @@ class BearingBodies {
   int n_contacts = 0;                      // number of contact groups, summed over all tracks
   std::vector<int> contact_at;    // indexed by groove of the model: lanes * contact group + lane
   std::vector<int> groove_at;     // inverse of contact_at, -1: none
-  std::vector<States> kept;       // by group of contacts, if the law has states
+  std::vector<States> kept;       // indexed by group of contacts; filled only if the law has state
+                                  // variables
   std::vector<KeptSlopes> kept_slopes;
   // Entrainment speed (m/s) and cosine of the contact angle, which together with the overlap
   // determine the elastic energy of a contact; cos_angle < 0 if there is no contact.
@@ -144,7 +145,8 @@ class BearingBodies {
   struct alignas(32) BalancedContact {
     EnergyBasis from, now;
   };
-  std::vector<BalancedContact> balanced;    // by group of contacts, for the energy balance
+  std::vector<BalancedContact> balanced;    // indexed by group of contacts; empty if no energy
+                                            // balance is requested
   std::vector<RingBody> rings;              // rings of the model, followed by one ring per shaft
   std::vector<Carried> on_shafts;
   // Free degrees of freedom of rings and rigid shafts, followed by those of flexible shafts and

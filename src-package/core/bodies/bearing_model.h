@@ -27,11 +27,13 @@ struct BearingModel {
   };
   struct Ring {
     Tag tag;
-    int mover;                     // index in the caller's list; -1: at rest or at constant spin
+    int mover;                     // index in the caller's list, -1: at rest except for a constant
+                                   // spin
     std::vector<RingValue> own;    // values set only for this ring
     bool on_shaft = false;         // moves as one body with all other rings of the same mover
     double at = 0.0;               // m, position along that shaft relative to its centre
-    Tag held_by = 0;               // ring that holds the supports; 0: the ground
+    Tag held_by = 0;               // tag of the ring to which the supports connect this ring; 0:
+                                   // ground
     int holder = -1;               // held_by as an index into rings
   };
   struct Shaft {    // rings that move as one body

@@ -22,7 +22,8 @@ class LinkChain {
   struct End {
     int body;
     Vec3 n;         // normal of the link in the body's frame
-    Vec3 answer;    // velocity per unit force along n: first entries of A^-1 n
+    Vec3 answer;    // velocity of the body due to a unit force along n, i.e. the first three
+                    // entries of A^-1 n
     int slot;       // 0 if it is the first link of the body, 1 if it is the second
   };
   struct Link {

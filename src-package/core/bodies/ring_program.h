@@ -31,7 +31,8 @@ struct TurningForce {
 
 // An eccentric mass that rotates with a ring whose spin is imposed.
 struct Unbalance {
-  double moment = 0.0, phase = 0.0;    // kg m, mass times eccentricity; rad, relative to the ring
+  double moment = 0.0, phase = 0.0;    // mass times eccentricity, kg m; phase relative to the ring,
+                                       // rad
 };
 
 // A spring and damper in parallel between a ring and another ring, or between a ring and the ground
@@ -54,12 +55,14 @@ struct RingProgram {
   RingInertia inertia;
   double target[2][N_DOF] =
       {};    // driven speed or position (m or rad from the origin) at both ends, linear in between
-  Vec3 force[2], moment[2];    // N, N m at both ends of the step, linear between, before the ramp
+  Vec3 force[2], moment[2];    // force (N) and moment (N m) at the start and the end of the step,
+                               // linear in between, before the ramp is applied
   TurningForce turning;
   Unbalance unbalance;
   // For a shaft: first moments along its axis of the loads and unbalances that act away from its
   // centre.
-  Vec3 leverage[2];         // N m, at both ends likewise
+  Vec3 leverage[2];         // N m, at the start and the end of the step, linear in between, before
+                            // the ramp is applied
   Unbalance couple;         // kg m^2
   bool apart = false;       // true if there are such loads or unbalances
   Support support[SPIN];    // supports of displacements and tilts
@@ -71,7 +74,8 @@ struct RingProgram {
   double spin_growth = 0.0;    // rad/s^2, growth rate of a driven spin
   double ramp = 0.0;           // s, time over which the loads are applied (3s^2 - 2s^3)
   double end = 0.0,
-         length = 0.0;    // s, age of the load at the end of the host's step; its length
+         length = 0.0;    // age of the load at the end of the host's step, and length of that step,
+                          // s
 
   bool free(int dof) const { return mode[dof] == Freedom::free; }
   bool tilts_free() const { return free(TILT) && free(TILT + 1); }
@@ -126,7 +130,8 @@ struct RingProgram {
   Vec3 support_force(const RingPlace &) const;
   Vec3 support_moment(const RingPlace &, double rate_1, double rate_2) const;
   double support_energy(const RingPlace &) const;    // J, stored in the springs
-  double support_loss(const RingPlace &, double rate_1, double rate_2) const;    // W
+  double support_loss(const RingPlace &, double rate_1, double rate_2) const;    // W, dissipated in
+                                                                                 // the dampers
   // Returns the acceleration of the free degrees of freedom under the total force (N), m/s^2.
   Vec3 acceleration(const Vec3 &push) const
   {

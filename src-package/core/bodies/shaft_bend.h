@@ -9,9 +9,11 @@ namespace raceway {
 
 // Modal loads over the host's step, analogous to the loads of RingProgram on the rigid shaft.
 struct BendProgram {
-  std::vector<double> load[2];         // N, by mode, at both ends of the step, before the ramp
+  std::vector<double> load[2];         // modal loads (N) for each mode in both planes, at the start
+                                       // and the end of the step, before the ramp is applied
   std::vector<Unbalance> unbalance;    // for each mode in one plane
-  std::vector<double> centre;          // displacement of the centre by mode, for a rotating force
+  std::vector<double> centre;          // for each mode, displacement of the centre, needed for a
+                                       // rotating force
 
   // Computes the modal forces (N) at the fraction s of the host's step and writes them to `of`,
   // which is reused.

@@ -21,7 +21,8 @@ struct ShaftModes {
     std::vector<double> moved, tilted;    // deflection (1) and slope (rad/m), indexed by mode
   };
   std::vector<double> mass, stiffness, damping;    // modal values in kg, N/m and N s/m
-  std::vector<double> gyroscopic;                  // by rows, first the slope of the rigid shaft
+  std::vector<double> gyroscopic;                  // stored row by row, starting with the slope of
+                                                   // the rigid shaft
   std::vector<Station> stations;                   // sorted by position
 
   int size() const { return static_cast<int>(mass.size()); }    // number of modes in a plane
@@ -48,7 +49,8 @@ struct BendState {
 
 // Deflection at a position on the shaft, relative to the rigid shaft.
 struct Deflection {
-  double moved[2] = {}, slope[2] = {};    // of the axis in both directions, m and rad
+  double moved[2] = {}, slope[2] = {};    // of the shaft's axis in both radial directions, m and
+                                          // rad
   double speed[2] = {}, rate[2] = {};     // m/s, rad/s
 
   Deflection(const ShaftModes::Station &s, const BendState &b)

@@ -15,7 +15,8 @@ struct CircuitAccount {
   double discharge_energy = 0.0;
   double discharges = 0.0, failures = 0.0;          // counts
   double film_charge = 0.0;                         // largest charge on a film at full voltage
-  double charge_error = 0.0, energy_error = 0.0;    // largest of any node; of any step
+  double charge_error = 0.0, energy_error = 0.0;    // largest charge error of a node; largest
+                                                    // energy error of a step
   double current = 0.0;    // A, mean current into the films of the inner ring in the last step
 };
 

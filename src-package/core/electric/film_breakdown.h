@@ -10,7 +10,8 @@ namespace raceway {
 struct FilmFailure {
   size_t ball;
   bool at_outer;
-  int order;                                                // place in its discharge, from 1
+  int order;                                                // position in the sequence of failures
+                                                            // of its discharge, counted from 1
   double film_voltage, ring_voltage, ring_voltage_after;    // V
   double film_energy, energy;                               // J
 };

@@ -12,18 +12,22 @@
 
 namespace raceway {
 
-enum class PermittivityAt { maximum, mean, two_thirds };    // Hertz pressure at which it applies
+enum class PermittivityAt { maximum, mean, two_thirds };    // Hertz contact pressure at which the
+                                                            // permittivity is evaluated
 enum class Surroundings { none, flooded, dry, cavitated };
 
 // Settings of the capacitor model.
 struct CapacitorModel {
   double permittivity = 0.0;    // relative, of the lubricant at ambient pressure; 0: no capacitor
-  double film_floor = 1e-9;     // m; a thinner film would be a short circuit
+  double film_floor = 1e-9;     // m, lower limit of the film thickness; a thinner film would amount
+                                // to a short circuit
   PermittivityAt at = PermittivityAt::maximum;
   bool rough = false;
   Surroundings surroundings = Surroundings::none;
-  double permittivity_outlet = 1.0;                     // relative, downstream half if cavitated
-  double inner_shoulder = 0.0, outer_shoulder = 0.0;    // diameters, m; 0: usual depth
+  double permittivity_outlet = 1.0;    // relative, of the medium in the downstream half if
+                                       // cavitated
+  double inner_shoulder = 0.0, outer_shoulder = 0.0;    // shoulder diameters, m; 0: default groove
+                                                        // depth
 
   bool surrounded() const { return surroundings != Surroundings::none; }
   // Returns the relative permittivity of the gap outside the ellipse; if cavitated, this is the

@@ -46,7 +46,8 @@ struct SampledBall {
 struct FilmFigures {
   double leak = 0.0;                      // ohm, for direct current
   double impedance = 0.0, phase = 0.0;    // ohm, rad
-  double threshold = 0.0, local = 0.0;    // V, breakdown by mean and by local thickness
+  double threshold = 0.0, local = 0.0;    // V, breakdown voltage computed from the mean and from
+                                          // the local film thickness
   double energy = 0.0;                    // J, energy stored at the voltage `threshold`
 };
 

@@ -26,7 +26,8 @@ using BearingFilms = std::vector<BallFilms>;    // indexed by ball
 struct OuterPoint {
   double beside = 0.0;         // F, from the inner ring to the frame
   double coupling = 0.0;       // F, from the inner ring to the driving voltage
-  double conductance = 0.0;    // S, beside `coupling`; infinite: ring at driving voltage
+  double conductance = 0.0;    // S, in parallel with `coupling`; infinite: the ring is at the
+                               // driving voltage
   double driving = 0.0;        // V
 
   bool stiff() const { return std::isinf(conductance); }

@@ -95,7 +95,8 @@ template <class T> struct LoadedGapT {
   RACEWAY_INLINE LoadedGapT(const GapShapeT<T> &s, const T &any_root, const T &ln_load, const T &h,
                             const T &ln_h) : shape(s)
   {
-    const auto pressed = any_root > 1e-8;    // below this, the limit of no load is exact
+    const auto pressed = any_root > 1e-8;    // otherwise the limit for zero load is used, to
+                                             // rounding accuracy
     root = where(pressed, any_root, 1e-8);
     T ln_X = (s.log_H + ln_h) * (1.0 / 6) - ln_load * (1.0 / 9);
     if (any(!pressed))

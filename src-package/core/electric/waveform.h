@@ -20,7 +20,8 @@ struct Waveform {
   double voltage = 0.0;                      // V, constant voltage, amplitude, or DC link voltage
   double frequency = 0.0, phase = 0.0;       // Hz, rad, for a sine or for the phases of an inverter
   double carrier = 0.0, modulation = 0.0;    // carrier frequency, Hz; modulation index, from 0 to 1
-  std::vector<double> times, voltages;       // s, ascending; V, linear in between
+  std::vector<double> times, voltages;       // times (s) in ascending order and voltages (V), which
+                                             // are interpolated linearly
 
   // Returns the shortest period, s. It is infinite if the waveform does not limit the step.
   double shortest() const
@@ -51,7 +52,8 @@ struct Waveform {
         if (times[k] > from && times[k] <= to)
           found.push_back({times[k], voltages[k], voltages[k]});
     if (kind != common_mode) return found;
-    std::vector<std::pair<double, int>> switched;    // time (s), change in legs at plus half
+    std::vector<std::pair<double, int>> switched;    // time, change in the number of legs at plus
+                                                     // half the link voltage
     for (int leg = 0; leg < 3; ++leg)
       for (double lo = from; lo < to;) {
         double hi = std::fmin(to, 0.5 * (std::floor(2.0 * carrier * lo) + 1.0) / carrier);

@@ -72,7 +72,8 @@ void BearingFigures::add(const BallFigures &b)
   orbit += b.orbit;
   for (int k = 0; k < raceway::most_loss_columns; ++k) loss[k] += b.loss[k];
   cage_loss += b.cage_loss;
-  if (!(b.cage_force <= cage_force)) cage_force = b.cage_force;    // NaN if any is NaN
+  if (!(b.cage_force <= cage_force)) cage_force = b.cage_force;    // the result is NaN if any value
+                                                                   // is NaN
   const double series = raceway::series_capacitance(b.capacitance[0], b.capacitance[1]),
                surrounded = raceway::series_capacitance(b.whole[0], b.whole[1]);
   capacitance += series;

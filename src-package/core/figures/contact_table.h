@@ -49,7 +49,8 @@ struct PocketRow {
   tag_t ball = 0, cage = 0;
   double mass = 0.0;                                     // kg, reduced mass
   double stiffness = 0.0, damping = 0.0, force = 0.0;    // at this step, in N/m, N s/m and N
-  double loss = 0.0;                                     // W, in wall, friction and oil
+  double loss = 0.0;                                     // W, dissipated in the wall, by friction
+                                                         // and in the oil
 };
 
 struct ContactTable {

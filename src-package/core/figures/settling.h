@@ -14,11 +14,13 @@ namespace bearing {
 // One sample. The struct contains only doubles, so that it can be sent and written to restart
 // files.
 struct SettlingSample {
-  double torque = 0.0;          // N m, of friction, or its power (W) at steady speed
+  double torque = 0.0;          // N m, friction torque; at steady speed, the friction power (W) may
+                                // be used instead
   double load[2] = {};          // N, largest loads on the inner and the outer raceway
   double cage_speed = 0.0;      // rad/s
   double pocket_force = 0.0;    // N, largest force of a ball on its pocket in a one-piece cage
-  double cage_orbit = 0.0;      // distance of a cage from the axis over half its play
+  double cage_orbit = 0.0;      // distance of a one-piece cage from the bearing's axis, as a
+                                // fraction of half the play of its pockets
   // sums over the balls of the load, and of the load times the unit vector of the spin axis in the
   // radial, tangential and axial directions at the ball
   double weight = 0.0, axis[3] = {};

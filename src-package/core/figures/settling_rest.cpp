@@ -4,7 +4,8 @@
 namespace bearing {
 
 using raceway::Vec3;
-using Series = std::vector<Vec3>;    // a value per ball pass; a scalar uses one component
+using Series = std::vector<Vec3>;    // values of a quantity, one per ball pass; a scalar uses one
+                                     // component
 
 static double length(const Vec3 &v) { return std::sqrt(dot(v, v)); }
 

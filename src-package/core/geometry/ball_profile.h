@@ -38,8 +38,10 @@ struct BallShape {
 template <class T> struct alignas(sizeof(T)) BallSlopesT {
   T along = T(), across = T();              // m/rad, derivatives of the depth
   T path_along = T(), path_across = T();    // derivatives of the azimuth in the ball's axes
-  T bend = T();                             // m, second derivative of waves and tables
-  T cross = T(), side = T();    // stiffness: of approach with azimuth, N; of azimuth, N m
+  T bend = T();                             // m, second derivative of the depth of waves and tables
+                                            // with respect to azimuth
+  T cross = T(), side = T();    // stiffness that couples approach and azimuth, N; stiffness in
+                                // azimuth, N m
 };
 using BallSlopes = BallSlopesT<double>;
 

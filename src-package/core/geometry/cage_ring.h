@@ -22,12 +22,15 @@ struct CageRing {
   enum Guide { by_balls, by_inner, by_outer };
   int pockets = 0;
   bool spherical = false;
-  double pitch = 0.0, phase = 0.0;        // circle of pockets, m; first pocket, rad
+  double pitch = 0.0, phase = 0.0;        // radius of the circle of pockets, m; azimuth of the
+                                          // first pocket, rad
   double along = 0.0, across = 0.0;       // half clearances along the circle and along the axis, m
   double stiffness = 0.0;                 // N/m^1.5, contact between ball and wall
-  double wall = 0.0;                      // N/m, of a wall on flexible bars; 0: Hertz contact
+  double wall = 0.0;                      // N/m, stiffness of the wall of a pocket with flexible
+                                          // bars; 0: Hertz contact
   double mass = 0.0;                      // kg
-  double friction = 0.0, creep = 1e-2;    // coefficient; creep speed, m/s
+  double friction = 0.0, creep = 1e-2;    // friction coefficient between ball and wall; creep
+                                          // speed, m/s
   double shear = 0.0;                     // N m s, pocket_shear()
   PocketFilm film;                        // squeeze film; without viscosity there is none
   Guide guide = by_balls;
@@ -107,10 +110,12 @@ struct LandContact {
   Vec3 force, moment;                               // on the cage, N and N m
   Vec3 lever;                                       // m, from ring centre to cage centre
   double displaced[2][2] = {}, moved[2][2] = {};    // -d force/d position and -d force/d velocity
-  Vec3 axis[2];                                     // of these matrices, normal to the ring's axis
+  Vec3 axis[2];                                     // axes of these matrices, normal to the ring's
+                                                    // axis
   double loss = 0.0, energy = 0.0;                  // W, J
   double share = 0.0;                               // eccentricity divided by clearance
-  double push = 0.0, stiffness = 0.0;               // N and N/m, of surfaces in contact
+  double push = 0.0, stiffness = 0.0;               // force (N) and stiffness (N/m) of the surfaces
+                                                    // in contact
 };
 
 LandContact land_contact(const CageRing &, const CageMotion &cage, const CageMotion &ring);

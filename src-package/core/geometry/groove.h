@@ -23,7 +23,8 @@ struct Groove {
   double raceway_radius = 0.0;    // m, R_i or R_e, radius at the bottom of the groove
   double groove_radius = 0.0;     // m, r_c, radius of the cross-section
   double ball_radius = 0.0;       // m, R_b
-  double offset = 0.0;            // m, from the ring's mid-plane to the groove centres
+  double offset = 0.0;            // m, axial distance from the ring's mid-plane to the groove
+                                  // centres
 
   // Returns the radius of the circle of groove centres, m.
   double centre_circle() const

@@ -61,7 +61,8 @@ RACEWAY_INLINE PocketGapT<T> pocket_gap(const CageRing &cage, const Vec3T<T> &e,
 // Forces of the oil in a pocket.
 template <class T> struct alignas(sizeof(T)) PocketOilT {
   HalfFilm<T> film = {T(), T()};
-  T spring[3] = {}, damper[3] = {};    // as squeeze_film() returns them
+  T spring[3] = {}, damper[3] = {};    // derivatives of its coefficients with respect to the
+                                       // products of displacement and velocity, as squeeze_film()
   Vec3T<T> velocity;                   // m/s, of the ball as far as the film resists it
   Vec3T<T> force, ball_torque;         // on the ball, N and N m
   Vec3T<T> cage_moment;                // on the cage about its centre, N m

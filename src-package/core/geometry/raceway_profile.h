@@ -87,7 +87,8 @@ class NotchPath {
  private:
   NotchShape shape_;
   double raceway_, curve_, half_;                 // m
-  double turned_, turns_, steepest_, deepest_;    // m, m, 1, m; curved from turns_ inwards
+  double turned_, turns_, steepest_, deepest_;    // in m, m, 1 and m; the path is curved from
+                                                  // turns_ inwards
 };
 
 // Returns the path of a ball over a surface given by a table, i.e. the part of the surface that the
@@ -127,7 +128,8 @@ class RacewayProfile {
   }
 
   const std::vector<NotchPath> &notches() const { return notches_; }
-  double ellipse() const { return ellipse_; }    // semi-axis across over sqrt(overlap), sqrt(m)
+  double ellipse() const { return ellipse_; }    // sqrt(m), semi-axis across the groove divided by
+                                                 // sqrt(overlap)
 
   // Returns the total depth of the profiles that extend across the whole groove.
   CurveAt across(double azimuth) const

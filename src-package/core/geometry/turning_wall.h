@@ -19,7 +19,8 @@ struct WallTouch {
 
 struct TurningWall {
   bool drum = true;
-  int blades = 0;               // radial, the first at the shaft's angle
+  int blades = 0;               // number of radial blades, the first of which is at the shaft's
+                                // angle
   double r1 = 0.0, r2 = 0.0;    // radii of the blades' edges, m; r2 is also the drum's radius
   double z1 = 0.0, z2 = 0.0;    // positions of both ends along the axis, m
   int parts() const { return drum ? 3 : blades; }

@@ -128,6 +128,7 @@ static std::string table_text()
 
 extern "C" const char *columns_json()
 {
-  static const std::string text = table_text();    // created once
+  static const std::string text = table_text();    // created only once, even if there are several
+                                                   // threads
   return text.c_str();
 }

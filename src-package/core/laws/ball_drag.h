@@ -11,7 +11,8 @@ namespace raceway {
 
 struct DragTable {
   static constexpr int size = 7;
-  double x[size], bend[size], first;    // ln Re; change of slope there; ln C_D at the first
+  double x[size], bend[size], first;    // values of ln Re; change of slope at each of them; ln C_D
+                                        // at the first
 };
 
 inline const DragTable &drag_table()

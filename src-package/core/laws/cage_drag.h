@@ -25,7 +25,8 @@ struct LandGap {
   double radius = 0.0, clearance = 0.0;    // radius of the land and radial clearance, m
   double width = 0.0;                      // m, width of one land
   int lands = 2;                           // number of lands
-  double viscosity = 0.0, filled = 1.0;    // Pa s; filled fraction of the gap
+  double viscosity = 0.0, filled = 1.0;    // oil viscosity, Pa s; fraction of the gap that is
+                                           // filled with oil
 };
 
 // Returns Petroff's couple in an eccentric gap, in N m per rad/s of relative speed; e is the ratio

@@ -10,7 +10,8 @@ namespace raceway {
 template <class T> struct DampedHertzT {
   T stiffness = T();    // N/m, dF/d(overlap) of the spring alone
   T damping = T();      // N s/m
-  T growth = T();       // N/m, slope of the whole force over the overlap
+  T growth = T();       // N/m, derivative of the force with respect to the overlap, including the
+                        // damping force
   T force = T();        // N, >= 0 (no adhesion)
 };
 using DampedHertz = DampedHertzT<double>;

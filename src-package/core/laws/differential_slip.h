@@ -67,7 +67,8 @@ template <class T> RACEWAY_INLINE T force_root(const T &force)
   const T q = square_root(r);
   const T x = q * (0.57692098 + q * (0.06107723 + q * (-0.00171489 + q * 0.01645284)));
   const T inverse = 1.0 / (3.0 * x * (2.0 - x)), s = (r - x * x * (3.0 - x)) * inverse;
-  const T a = 3.0 * (1.0 - x) * inverse, b = -inverse, a2 = a * a;    // of e^2, e^3; over the slope
+  const T a = 3.0 * (1.0 - x) * inverse, b = -inverse, a2 = a * a;    // coefficients of e^2 and
+                                                                      // e^3, divided by the slope
   const T e = s * (1.0 - s * (a - s * ((2.0 * a2 - b) - s * (5.0 * a * (a2 - b)))));
   return 1.0 - (x + e);
 }

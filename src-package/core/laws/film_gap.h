@@ -19,7 +19,8 @@
 
 namespace raceway {
 
-constexpr double power_law_cut = 1.0;    // N, below which a power-law film is constant
+constexpr double power_law_cut = 1.0;    // load (N) below which the film thickness of a power law
+                                         // is constant
 
 template <class T> struct FilmGapT {
   T compression;    // x, m

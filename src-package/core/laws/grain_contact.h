@@ -13,7 +13,8 @@ namespace raceway {
 struct GrainContact {
   Vec3 spring;            // m, tangential
   Vec3 force;             // N
-  Vec3 couple;            // N, normal x force: moment on a body divided by its lever
+  Vec3 couple;            // N, normal x force, i.e. the moment on a body divided by that body's
+                          // lever
   Vec3 moment;            // N m, moment of the force about the centre of a rotating wall
   double energy = 0.0;    // J, stored in both springs
 };
@@ -26,7 +27,8 @@ struct GrainMeeting {
   Vec3 n;            // unit normal towards the first body
   Vec3 v;            // m/s, velocity of the first body's centre relative to that of the second
   Vec3 turn;         // m/s, sum over the grains in contact of angular velocity times lever
-  Vec3 arm, spin;    // for a wall: contact from its centre, m; its spin, rad/s
+  Vec3 arm, spin;    // for a wall: position of the contact relative to the wall's centre, m, and
+                     // angular velocity of the wall, rad/s
 };
 
 // Advances a contact by dt (s) and returns the energy dissipated in it (J), i.e. the work of the

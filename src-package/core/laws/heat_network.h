@@ -24,7 +24,8 @@ struct HeatNetwork {
   double capacity[heat_nodes] = {};    // J/K; housing: 0 if there is none
   double inner = 0.0, outer = 0.0;     // W/K, conductance from each ring to all balls together
   double shaft = 0.0;                  // W/K, from the inner ring to ambient
-  double seat = 0.0;                   // W/K, outer ring to housing; 0: no resistance
+  double seat = 0.0;                   // W/K, from the outer ring to the housing; 0: no thermal
+                                       // resistance
   double housing = 0.0;                // W/K, from the housing to ambient
   double ambient = 20.0;               // C
   OilFlow oil;
@@ -66,7 +67,8 @@ class HeatFlow {
     } else {
       to_ambient[2] = of.cooling();
     }
-    if (of.oil.flows()) {    // without the oil, surfaces are linked to each other and the inlet
+    if (of.oil.flows()) {    // the oil is eliminated, which leaves links between the surfaces and
+                             // from the surfaces to the inlet
       const OilFlow &oil = of.oil;
       for (int i = 0; i < OilFlow::surfaces; ++i) {
         const double share = oil.conductance(i) / oil.total(), to_inlet = share * oil.flow;
@@ -100,7 +102,8 @@ class HeatFlow {
   // ambient and carried away by the oil.
   double advance(const double *from, double time, double *to) const
   {
-    double now[heat_nodes], sum[heat_nodes];    // rises above ambient times root_; time integrals
+    double now[heat_nodes], sum[heat_nodes];    // temperature rises above ambient times root_; time
+                                                // integrals
     double rise[heat_nodes] = {}, spent[heat_nodes] = {};
     for (int m = 0; m < n_; ++m) {
       double begin = 0.0;
@@ -169,7 +172,8 @@ class HeatFlow {
     for (int i = 0; i < n_; ++i) {
       for (int j = 0; j < n_; ++j)
         if (i != j) link[i][j] = -g[i][j];
-      out[i] = to_ambient_[i];    // to ambient, also through the parts already eliminated
+      out[i] = to_ambient_[i];    // conductance to ambient, including the paths through the parts
+                                  // already eliminated
       drive[i] = heat[i];
     }
     for (int k = 0; k < n_; ++k) {
@@ -229,12 +233,14 @@ class HeatFlow {
 
   HeatNetwork net_;
   int n_;
-  double root_[heat_nodes] = {}, to_ambient_[heat_nodes] = {};    // square roots of capacities; W/K
+  double root_[heat_nodes] = {}, to_ambient_[heat_nodes] = {};    // square roots of the capacities;
+                                                                  // W/K
   // W, heat carried away by the oil, excluding the part that is proportional to the temperature
   // rises above ambient
   double to_outlet_ = 0.0;
   double rate_[heat_nodes] = {}, steady_[heat_nodes] = {};    // for each mode
-  double growth_[heat_nodes] = {};                            // 1/s, growth of steady_ by mode
+  double growth_[heat_nodes] = {};                            // growth of steady_ for each mode,
+                                                              // 1/s
   double steady_rise_[heat_nodes] = {};                       // K, above ambient
   double mode_[heat_nodes][heat_nodes] = {};
 };

@@ -12,7 +12,8 @@ enum class LubricationKind { bath, jet, mist, grease, minimal };
 constexpr const char *lubrication_kinds = "bath jet mist grease minimal";
 
 struct Lubrication {
-  double inlet = 0.0;            // length over semi-axis b; 0: flooded, 1: shortest
+  double inlet = 0.0;            // inlet length divided by the semi-axis b; 0: flooded, 1: shortest
+                                 // inlet
   double replenishment = 0.0;    // K_rs; 0: no starvation
   double share = 0.0;            // X, volume fraction of oil
 };
@@ -48,7 +49,8 @@ inline Lubrication lubrication(LubricationKind kind, double level, double pitch,
       // SKF's factor applies to oil levels up to the centre of the lowest ball
       return {all ? 0.0 : groove, level > 0.5 ? 0.0 : oil, share > air ? share : air};
     }
-    case LubricationKind::jet:    // SKF: twice the drag of a bath up to the lowest ball's centre
+    case LubricationKind::jet:    // SKF: twice the drag in a bath that reaches the centre of the
+                                  // lowest ball
       return {groove, oil, 2.0 * immersed_share(0.5, pitch)};
     default: return {1.0, grease, air};
   }

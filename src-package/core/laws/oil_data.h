@@ -30,7 +30,8 @@ inline KinematicViscosity walther(double nu_40, double nu_100, double temperatur
 
 struct OilData {
   double density_40;                                       // kg/m^3
-  double density_slope;                                    // kg/(m^3 K), decrease per kelvin
+  double density_slope;                                    // kg/(m^3 K), decrease in density per
+                                                           // kelvin of temperature rise
   double pressure_viscosity_40, pressure_viscosity_100;    // 1/Pa
   double permittivity_40;                                  // relative
 

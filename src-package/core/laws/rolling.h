@@ -6,7 +6,9 @@ namespace raceway {
 
 struct Rolling {
   double orbit = 0.0;    // rad/s, speed of the ball centres (and cage) about the bearing axis
-  double spin = 0.0;     // rad/s, of the ball parallel to the bearing axis, inertial frame
+  double spin =
+      0.0;    // rad/s, spin of the ball about its own axis, parallel to the bearing axis, in the
+              // inertial frame
 };
 
 // Computes pure rolling from the ball radius R (m), the pitch radius r (m) and the ring speeds

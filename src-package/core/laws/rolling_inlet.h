@@ -52,7 +52,8 @@ inline double inlet_share(double m, double H)
 struct RollingInlet {
   static constexpr int nodes = 5;
   static constexpr double low = -6.9, high = 3.0;    // range of ln H
-  double node[nodes] = {}, slope[nodes] = {};        // nodes and coefficients in Newton form
+  double node[nodes] = {}, slope[nodes] = {};        // nodes and coefficients of the polynomial in
+                                                     // Newton form
   bool short_inlet = false;
 
   // length: inlet length in units of the semi-axis b; 0: flooded, 1: shortest inlet

@@ -22,7 +22,8 @@ namespace raceway {
 struct SpinContact {
   double angle = 0.0;     // rad, below pi/2 in magnitude
   double speed = 0.0;     // rad/s, of the ring
-  double couple = 1.0;    // of pure spin, in N m or another unit for both contacts
+  double couple = 1.0;    // couple of pure spin, in N m or in any unit as long as it is the same
+                          // for both contacts
   double width = 0.0;     // rad/s, spin up to which the couple increases
 
   double moment(double spin) const
@@ -33,9 +34,11 @@ struct SpinContact {
 };
 
 struct BallRotation {
-  double orbit = 0.0;                  // rad/s, of balls and cage about the bearing's axis
+  double orbit = 0.0;                  // rad/s, of the ball centres (and cage) about the bearing
+                                       // axis
   double radial = 0.0, axial = 0.0;    // rad/s, inertial frame
-  double spin[2] = {};                 // rad/s, of ball against ring, about the normal
+  double spin[2] = {};                 // rad/s, of the ball relative to the ring, about the contact
+                                       // normal
 
   BallRotation operator-(const BallRotation &o) const
   {

@@ -8,7 +8,8 @@ namespace raceway {
 
 // Value in a column if there is no contact: zero, or no value.
 constexpr double vanishes = 0.0, has_none = NAN;
-constexpr const char *const as_real = "%.12g", *const as_whole = "%.0f";    // for text files
+constexpr const char *const as_real = "%.12g", *const as_whole = "%.0f";    // printf formats for
+                                                                            // values in text files
 
 struct Column {
   const char *name;

@@ -79,7 +79,8 @@ template <class Own> struct Keyword {
   const char *name, *form;
   bool chooses;
   std::vector<Parameter<Own>> parameters;
-  const char *(*wrong)(const double *values) = nullptr;    // why values contradict, or null
+  const char *(*wrong)(const double *values) = nullptr;    // returns the error in a combination of
+                                                           // values, or null
   const char *note = "";                                   // text for the command's documentation
 };
 

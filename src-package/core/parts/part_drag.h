@@ -24,7 +24,8 @@ struct DragPart : PartBase {
   static constexpr bool needs_film = true, couples = true;
   using Losses = LossList<DragLoss>;
   struct Parameters {
-    double density = 870.0, share = 0.0;       // kg/m^3; volume share of oil in the bearing
+    double density = 870.0, share = 0.0;       // density of the oil, kg/m^3; volume fraction of oil
+                                               // in the bearing
     double reynolds = 0.0, prefactor = 0.0;    // computed by prepare(): s/m, N s^2/m^2
     DragTable table;
     void prepare(const Raceway &p)

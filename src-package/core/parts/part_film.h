@@ -122,7 +122,8 @@ struct FilmThicknessPart : PartBase {
                                  ContactStateT<T> &c)
   {
     using B = Value<T>;
-    const bool in_gap = p.reach > 0.0;    // already computed by part_film_gap.h
+    const bool in_gap = p.reach > 0.0;    // if the film is in the gap, these values have already
+                                          // been computed by part_film_gap.h
     if (!in_gap) {
       const FilmPointT<B> at = film_point(c.entrainment, c.film_load);
       c.ln_speed = at.ln_speed;

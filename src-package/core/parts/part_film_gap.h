@@ -19,7 +19,8 @@ struct FilmInGapPart : PartBase {
   struct Parameters {
     double share = 1.0;
     bool all_regimes = false;
-    double unit_of_cut = std::pow(cut, 2.0 / 3.0);    // compression at this load, 1 at 1 N
+    double unit_of_cut = std::pow(cut, 2.0 / 3.0);    // compression at the load `cut` relative to
+                                                      // that at 1 N
     MoesRaceway moes;                                 // computed by prepare()
     void prepare(const Raceway &p)
     {

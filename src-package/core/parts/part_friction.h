@@ -127,8 +127,9 @@ struct TangentialSpringPart : PartBase {
   static constexpr bool explicit_step = true;
   using Losses = LossList<FrictionLoss>;
   struct Parameters {
-    double ratio = -1.0;                       // k_t/k_n set by the keyword; < 0: Mindlin
-    double zeta = 0.3;                         // over critical damping; rolling mode, mass 2/7 m_b
+    double ratio = -1.0;    // k_t/k_n set by the keyword; < 0: Mindlin
+    double zeta = 0.3;      // dashpot constant relative to critical damping of the rolling mode,
+                            // whose mass is 2/7 m_b
     double kt_ratio = 0.0, ct_factor = 0.0;    // values in use
     void prepare(const Raceway &p)
     {

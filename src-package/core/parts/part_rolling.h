@@ -11,7 +11,8 @@
 namespace raceway {
 
 namespace detail {
-constexpr double least_rolling = 1e-3;    // m/s, below which couples grow with speed
+constexpr double least_rolling = 1e-3;    // speed (m/s) below which the couples are proportional to
+                                          // the speed
 
 // Returns the inverse of the angular speed by which a couple is divided, s.
 template <class T> RACEWAY_INLINE T over_rolling(const T &turn, const T &radius)

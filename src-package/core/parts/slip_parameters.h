@@ -9,7 +9,8 @@ namespace raceway {
 
 // Parameters of a slip law in series with the contact's tangential spring.
 struct SlipParameters {
-  double least = 1e-4;                  // m/s, lower limit of s_e: Coulomb's law at rest
+  double least = 1e-4;                  // m/s, lower limit of s_e; as the motion ceases, the law
+                                        // tends to Coulomb's law
   double kt_ratio = 0.0, lift = 0.0;    // computed by prepare(); 1/m, 1/(2 R_d)
   void prepare(const Raceway &p)
   {

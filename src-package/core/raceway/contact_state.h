@@ -17,11 +17,14 @@ namespace raceway {
 // Quantities that carry derivatives.
 template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
   // motions of the ball relative to the raceway (kinematics.h)
-  T overlap = T();                       // m, overlap of the rigid surfaces; negative for a gap
-  T compression = T();                   // m, elastic approach: overlap and what parts add
-  T overlap_rate = T();                  // m/s
-  T sliding_t = T(), sliding_w = T();    // m/s, of the ball relative to the ring
-  T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, likewise; for couples
+  T overlap = T();         // m, overlap of the rigid surfaces; negative for a gap
+  T compression = T();     // m, elastic approach of the bodies, i.e. the overlap plus the
+                           // contributions of parts
+  T overlap_rate = T();    // m/s
+  T sliding_t = T(), sliding_w = T();            // m/s, velocity of the ball surface relative to
+                                                 // the ring surface
+  T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, of the ball relative to the ring; used
+                                                 // only if the law has couples
   // intermediate results for other parts and for output
   T root = T();      // sqrt(m), square root of the compression
   T load = T();      // N, elastic load Q
@@ -42,7 +45,8 @@ template <class T> struct alignas(sizeof(T)) ContactFiguresT {
   T film_load = T();      // N, load used for the film thickness
   // logarithms of the entrainment speed (m/s) and of film_load; the product of the film factors
   T ln_speed = T(), ln_film_load = T(), film_factor = T();
-  T h_edge = T(), h_c = T();      // m, central film at the onset of load and now
+  T h_edge = T(), h_c = T();      // central film thickness at the onset of load and at the current
+                                  // load, m
   T h_min = T(), lambda = T();    // m; lambda ratio
   T film_energy = T();            // J, energy of the film in the gap
   T film_force = T();             // N, force of the film's Maxwell branch

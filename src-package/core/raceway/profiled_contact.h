@@ -12,7 +12,8 @@ namespace raceway {
 template <class T> struct alignas(sizeof(T)) ProfiledContactT {
   T overlap = T();    // m, after subtracting the profile
   T slope = T();      // slope of the depth along the path of the ball's centre
-  T bend = T();       // 1/m, derivative of slope, for profiles across the groove
+  T bend = T();       // 1/m, derivative of the slope along the path; only for profiles that extend
+                      // across the whole groove
   // For a pit: energy (J) in addition to that of the overlap; derivative of the overlap with
   // respect to the approach, minus 1; stiffness (N/m) that couples approach and path; stiffness
   // (N/m) along the path

@@ -11,7 +11,8 @@
 namespace raceway {
 
 struct Raceway {
-  int number = 0;    // index among the ring's grooves for a ball, from 0 along the axis
+  int number = 0;    // index of the groove among the grooves of a ring for one ball, counted from 0
+                     // along the axis
   Groove groove;
   RacewayMaterial material;
   RacewayModel model;
@@ -23,10 +24,13 @@ struct Raceway {
 
   // computed by prepare()
   RacewayLaw law;
-  double overlap_limit = 0.0;                                        // fraction of the ball radius
+  double overlap_limit = 0.0;                                        // largest overlap allowed, as
+                                                                     // a fraction of the ball's
+                                                                     // radius
   double centre_circle = 0.0, slack = 0.0, largest_overlap = 0.0;    // m
   double roughness = 0.0, inverse_roughness = 0.0;                   // m, 1/m
-  double ln_inverse_roughness = 0.0;    // ln of 1/m; minus infinity without roughness
+  double ln_inverse_roughness = 0.0;    // ln of a value in 1/m; minus infinity if there is no
+                                        // roughness
   double ball_mass = 0.0;               // kg
   double pitch_radius = 0.0;            // m
   double reach = 0.0;    // m, gap at which contacts begin (0 unless it is set by a part of the law)

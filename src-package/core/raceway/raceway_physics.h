@@ -16,7 +16,8 @@ constexpr int most_states = 8;
 // Properties of a set of parts, one bit per part in the order of `Parts` (contact.h).
 struct LawFacts {
   int states = 0;                // number of state variables of a contact
-  bool couples = false;          // the law depends on rotations; has couples and drag
+  bool couples = false;          // the law depends on relative rotations and has couples and a drag
+                                 // force
   bool decides = false;          // a part determines the onset of contact
   bool explicit_step = false;    // the law cannot be used in an implicit step
   bool film = false, film_in_gap = false, asperities = false, tangential_spring = false;

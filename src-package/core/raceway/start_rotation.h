@@ -12,10 +12,13 @@ namespace raceway {
 
 struct StartingBall {
   double radius, mass;                // m, kg
-  double path;                        // m, radius of the ball centre's circle at the start
-  double orbit;                       // rad/s, orbital, for the centrifugal force
+  double path;                        // m, initial radius of the circle on which the ball's centre
+                                      // moves
+  double orbit;                       // rad/s, orbital speed, from which the centrifugal force is
+                                      // computed
   double inner_speed, outer_speed;    // rad/s, of the rings
-  double thrust;    // N, share of the ball in the axial force on the inner ring; 0: unknown
+  double thrust;    // N, axial load that this ball carries out of the axial force on the inner
+                    // ring; 0: unknown
   // rad, contact angle on both raceways at the initial position; positive if a thrust on the inner
   // ring along +e closes the contacts
   double angle;

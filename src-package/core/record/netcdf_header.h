@@ -34,7 +34,9 @@ class NetcdfHeader {
   using Attributes = std::vector<Attribute>;
   struct Variable {
     std::string name;
-    std::vector<int> dimensions;    // indices; 0 is that of records
+    std::vector<int>
+        dimensions;    // indices of the dimensions; 0, the record dimension, comes first if there
+                       // is a value per record
     Type type = real;
     Attributes attributes;
     std::string words;         // values of a fixed variable of type text

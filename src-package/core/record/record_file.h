@@ -58,7 +58,8 @@ class RecordFile {
   // positions of the columns in bytes from the start of a sample
   size_t time_, step_, pocket_ = nowhere;
   std::vector<size_t> contact_, ball_, cage_, ring_, bearing_, heat_;
-  unsigned char *sample_ = nullptr;    // current sample; null: nothing received yet
+  unsigned char *sample_ = nullptr;    // the current sample, or null if nothing has been received
+                                       // for it yet
   std::vector<BallFigures> shares_;
   std::vector<double> rails_;    // W, for each cage ball
   std::vector<double> lands_;    // W, for each ring

@@ -32,7 +32,8 @@ struct RecordLayout {
   std::vector<RecordBody> balls, cage;
   std::vector<RecordRing> rings;
 
-  int grooves = 1;    // per ring and ball; contacts by raceway, groove, ball
+  int grooves = 1;    // number of grooves per ring and ball; contacts are sorted by raceway, then
+                      // groove, then ball
 
   static constexpr int cage_ring = 2;    // value of `raceway` for a one-piece cage
   bool pockets() const

@@ -32,10 +32,12 @@ class RecordRows {
   // this ball; the force is in N.
   void cage(int ball, double loss, double force) { shares_[ball].cage(loss, force); }
   void rail(Tag cage_ball, double loss);    // W
-  void land(Tag cage, double loss);         // W, at its land and by churning
+  void land(Tag cage, double loss);         // W, loss of a one-piece cage at its land and by
+                                            // churning
   // Adds a ball or cage ball. Must be called after all of its contacts have been added.
   void body(Tag, const raceway::Vec3 &x, const raceway::Vec3 &v, const raceway::Vec3 &w);
-  void ring(const double *of);    // from of_ring::RING on; call it after land()
+  void ring(const double *of);    // values are the columns from of_ring::RING on; must be called
+                                  // after land()
   // Ends a sample. The temperatures are in the order used in a row of RecordFile.
   void end(double time, double step, const std::vector<double> &temperatures);
 

@@ -17,7 +17,8 @@ namespace bearing {
 // headers (arguments_host.cpp). They are collective, so they must be called on all ranks.
 [[noreturn]] void stop_run(LAMMPS_NS::LAMMPS *, const std::string &why);    // with an error message
 bool is_first_rank(LAMMPS_NS::LAMMPS *);
-std::string of_first_rank(LAMMPS_NS::LAMMPS *, const std::string &);    // of the first rank
+std::string of_first_rank(LAMMPS_NS::LAMMPS *, const std::string &);    // returns the string of the
+                                                                        // first rank on all ranks
 std::optional<std::string> host_variable(LAMMPS_NS::LAMMPS *, const std::string &name);
 
 // Returns a number as a user would write it ("6.3e-3"), for use in messages.
@@ -36,7 +37,8 @@ class Arguments {
   size_t left() const { return words_.size() - next_; }
   bool take(const char *keyword);    // true if `keyword` is the next word, which is then consumed
   bool next_is_number() const;
-  const std::string &next() const { return words_[next_]; }    // not consumed; must exist
+  const std::string &next() const { return words_[next_]; }    // the word is not consumed and must
+                                                               // exist
   std::vector<std::string> rest() const { return {words_.begin() + next_, words_.end()}; }
   std::string word(const std::string &what);    // next word; it is an error if there is none
   double number(const std::string &what);

@@ -10,9 +10,12 @@ namespace bearing {
 struct CageSettings {
   raceway::CageRing of;    // excluding the values that depend on the balls and the pitch circle
   raceway::RingProgram program;
-  double young[2] = {2.08e11, 2.08e11}, poisson[2] = {0.3, 0.3};    // ball, cage: steel
-  double height = 0.0;                                              // m, oil band in a pocket
-  double oil = 0.0, filled = 1.0;                                   // Pa s; filled share of pockets
+  double young[2] = {2.08e11, 2.08e11}, poisson[2] = {0.3, 0.3};    // for ball and cage; default:
+                                                                    // steel
+  double height = 0.0;                                              // height of the oil band in a
+                                                                    // pocket, m
+  double oil = 0.0, filled = 1.0;                                   // oil viscosity, Pa s; filled
+                                                                    // fraction of the pockets
   double film_height = -1.0;    // height of the squeeze film, m; -1: that of the band
   double land_filled = -1.0;    // filled fraction at the land; -1: that of the pockets
 

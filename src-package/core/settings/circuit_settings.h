@@ -13,16 +13,20 @@ struct CircuitSettings {
   double start = 0.0;                               // V, initial voltage of a floating inner ring
   double resistance = 0.0;                          // ohm, of a source
   double winding_rotor = 0.0, rotor_frame = 0.0;    // F, of a motor
-  double second = 0.0, second_factor = 0.0;         // of the other bearing, F; over this one's
+  double second = 0.0, second_factor = 0.0;         // capacitance of the other bearing, F, or
+                                                    // relative to that of this bearing
   double beside = 0.0, stray = 0.0;                 // F
   raceway::Waveform voltage;
-  double strength = 0.0, film_floor = 1e-9;    // V/m, 0: no breakdown; m
+  double strength = 0.0, film_floor = 1e-9;    // electric strength, V/m, 0 for no breakdown; film
+                                               // floor, m
   bool rough = true;                           // reduce the local thickness by 3 sigma
   double resistivity = 0.0;                    // ohm m; 0 for no leak
-  double metal = 0.0, metal_share = 0.0;       // ohm, 0: none; fraction of the load
+  double metal = 0.0, metal_share = 0.0;       // resistance of a metallic film, ohm, 0 for none;
+                                               // fraction of the load
   double arc = 0.0;                            // ohm, resistance of a failing film; 0 if unknown
   int points = 1;                              // circuit points per sample
-  int within = 1;                              // samples per step, the last at its end
+  int within = 1;                              // samples per step, of which the last is at the end
+                                               // of the step
   std::string events;                          // file to which failures of films are written
 
   bool breaks_down() const { return strength > 0.0; }

@@ -303,7 +303,8 @@ const DeckVariable *find_deck_variable(const std::string &name, const std::strin
 
 std::string mistyped(const std::set<std::string> &names)
 {
-  constexpr size_t slips = 2, shortest = 5;    // in shorter names, two are half the letters
+  constexpr size_t slips = 2, shortest = 5;    // in shorter names, this would be half of the
+                                               // letters
   for (const std::string &name : names) {
     if (find_deck_variable(name) || name.size() < shortest) continue;
     for (const DeckVariable &v : deck_variables())

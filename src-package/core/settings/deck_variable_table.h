@@ -12,7 +12,8 @@ namespace bearing {
 
 struct DeckVariable {
   const char *name;
-  const char *initial;    // default as text, or "" if the style or the data provide it
+  const char *initial;    // default as text, or "" if the value is provided by the style or the
+                          // data
   const char *unit;       // "" for a word, a count or a ratio
   const char *range;      // "LO HI", "LO HI whole", "LO HI or V", "one_of A B ...", or "" for any
   const char *of;         // commands and styles that accept it, a kind of data, or a single deck

@@ -100,7 +100,8 @@ FolderClaim claim_folder(const std::string &folder)
       }
       result.warning = "the file system of '" + folder + "' has no locks (" + strerror(errno) +
                        "): a second run could write there at the same time";
-    } else if (!same_file(claim)) {    // the owner has exited and removed the file
+    } else if (!same_file(claim)) {    // in the meantime, the owner of the file has exited and
+                                       // removed it
       close(descriptor);
       continue;
     }

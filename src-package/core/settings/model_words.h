@@ -16,14 +16,16 @@ struct DataError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-typedef std::map<std::string, std::string> OilWords;    // value of each datum as text
+typedef std::map<std::string, std::string> OilWords;    // maps the name of each datum to its value
+                                                        // as text
 
 struct ModelChoice {
   std::string models = "full";     // paper, film, full, eyring or none
   std::string without = "none";    // parts to leave out, joined by +
   std::string gap_film = "power", inlet_shear = "murch", spin_law = "closed";
   std::string lubrication = "bath";    // kind of lubrication (core/laws/lubrication.h)
-  double oil_level = 0.5;              // above the lowest raceway, in ball diameters
+  double oil_level = 0.5;              // level of an oil bath above the lowest raceway, in ball
+                                       // diameters
 };
 
 // Bearing to which a ModelChoice is applied: the radii of the pitch circle and the balls (m), the
@@ -47,7 +49,8 @@ extern const std::vector<std::string> model_names;
 struct ContactModel {
   std::string words;                    // keywords of the pair style
   double cage_tolerance_share = 1.0;    // tolerance of cage balls relative to that of other bodies
-  bool estimate = true;                 // control implicit steps by error estimates
+  bool estimate = true;                 // control implicit steps by error estimates instead of
+                                        // bounds
 };
 
 // `oil` is null for dry contacts. Throws DataError if a part is not in the models or if data for

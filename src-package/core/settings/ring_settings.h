@@ -23,7 +23,8 @@ struct RingSettings {
   raceway::RingProgram program;    // common program of all rings, without targets and loads
   DrivenValue value[raceway::RingProgram::N_VALUE];
   StatedLoads stated;
-  std::string holder;    // group of the ring that holds the supports, or empty
+  std::string holder;    // group of the ring to which the other ends of the supports are attached,
+                         // or empty
 };
 
 // Mass and inertia of a ring, which are used if the words do not specify them; 0 if unknown.

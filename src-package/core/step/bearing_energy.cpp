@@ -31,7 +31,8 @@ void BearingIntegrator::add_energy(const Stage &stage, double weight, double s)
     lost += c.damper * v * v;
   }
   for (const RingBody &r : bodies_.rings)
-    if (!r.carried) power -= bodies_.power_on_drives(r);    // otherwise they act on its shaft
+    if (!r.carried) power -= bodies_.power_on_drives(r);    // the drives of a carried ring act on
+                                                            // its shaft
   if (bodies_.heavy) power += power_of_gravity(old_share);
   for (const RingBody &r : bodies_.rings)
     if (r.program.supported) {

@@ -13,7 +13,8 @@ namespace raceway {
 class BearingSystem;
 
 enum class Evaluate {
-  only,          // forces on rings, power, energy; without `looks` the right side
+  only,          // forces on rings, power and energy; if there are no `looks`, also the right-hand
+                 // side
   residual,      // forces on rings, and the right-hand side of the linear system
   derivatives    // as `residual`, plus the matrix of the linear system
 };
@@ -33,7 +34,8 @@ enum class Failure {
 struct alignas(32) ContactLook {
   ContactStateT<Lane> state;
   LaneMask live;    // contacts with a state; if gaps are requested, all others have motions only
-  Lane orbit;       // rad/s, of the ball about the ring's axis, also without contact
+  Lane orbit;       // rad/s, speed of the ball about the ring's axis, also set if there is no
+                    // contact
 };
 
 // Overlap assumed for an open contact whose derivatives are needed, m.
@@ -52,15 +54,19 @@ struct Stage {
   double h = 0.0;               // s, length of the stage
   bool dampers_only = false;    // positions are given: springs have no derivative
   Evaluate evaluate = Evaluate::only;
-  ContactLook *looks = nullptr;    // with `only`: by group, filled with the forces on rings
-  bool keep = false;               // with `derivatives`: call BearingSystem::keep()
-  bool kept = false;               // with `derivatives`: use the raceways that were kept
-  bool gaps = false;               // also evaluate contacts whose surfaces do not touch
+  ContactLook *looks = nullptr;    // with `only`: results for each group of contacts, which are
+                                   // filled in together with the forces on rings
+  bool keep = false;               // with `derivatives`: call BearingSystem::keep() after the
+                                   // raceways
+  bool kept = false;    // with `derivatives`: use the kept raceways, updated for the last
+                        // correction
+  bool gaps = false;    // also evaluate contacts whose surfaces do not touch
   // Largest gaps (m) at balls and at cage balls for which derivatives are evaluated as for a closed
   // contact. Without these derivatives, a body at rest would jump out of its groove.
   double close = 0.0, close_cage = 0.0;
 
-  double follows() const { return dampers_only ? 0.0 : h; }    // s, positions follow velocities
+  double follows() const { return dampers_only ? 0.0 : h; }    // s, time over which positions
+                                                               // follow velocities
 };
 
 class BearingForces {
@@ -80,7 +86,8 @@ class BearingForces {
   // there is no contact.
   double largest_overlap() const;
 
-  int body() const { return body_; }                           // which failed, or -1
+  int body() const { return body_; }                           // body that caused the failure, or
+                                                               // -1
   double power_lost() const { return power_lost_; }            // power dissipated in contacts, W
   double contact_energy() const { return contact_energy_; }    // elastic energy of contacts, J
   // Returns the change (J) in elastic energy since the start of the step due to entrainment speeds
@@ -124,7 +131,8 @@ class BearingForces {
   ProfiledContactT<Lane> on_;              // four contacts on a raceway with a profile
   BallSlopesT<Lane> turned_;               // slopes of balls with a profile
   std::vector<int> touching_, touched_;    // closed pockets now and at the last factorisation
-  std::vector<Place> place_;               // in the lab frame, by slot, for pockets
+  std::vector<Place> place_;               // in the lab frame, indexed by slot; only for bodies
+                                           // with pockets
   std::vector<char> in_pocket_;            // by group
 };
 

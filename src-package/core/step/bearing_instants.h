@@ -36,7 +36,8 @@ class BearingInstants {
 
   void want(const Instants &);
   // Results at instant k (from 1) of the last host step; other indices are those of the model.
-  void contacts(int k, bool whole_states, std::vector<ContactAtInstant> &) const;    // by groove
+  void contacts(int k, bool whole_states, std::vector<ContactAtInstant> &) const;    // indexed by
+                                                                                     // groove
   BodyPose body(int k, int body) const;
   const RingAtInstant &ring(int k, int ring) const
   {

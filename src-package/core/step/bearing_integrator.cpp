@@ -7,7 +7,8 @@
 
 namespace raceway {
 
-static const double gamma_2 = 1.0 - std::sqrt(0.5);     // length of a stage over h, for order 2
+static const double gamma_2 = 1.0 - std::sqrt(0.5);     // length of a stage divided by h, for order
+                                                        // 2
 static const double beyond_2 = 1.0 + std::sqrt(2.0);    // (1 - gamma)/gamma
 // Position error of the method for a velocity that grows with the square of time, divided by h
 // times the second divided difference of the velocities at 0, gamma h and h. For a free vibration,

@@ -87,7 +87,8 @@ class BearingIntegrator {
   struct Energy {
     double work = 0.0;          // J, work of loads and drives
     double dissipated = 0.0;    // J, in films, by hysteresis, by sliding and at the cage
-    double stored = 0.0;        // J, now: kinetic energy and contact springs
+    double stored = 0.0;        // J, current value: kinetic energy and energy of the contact
+                                // springs
   };
 
   explicit BearingIntegrator(const BearingModel &);
@@ -153,8 +154,10 @@ class BearingIntegrator {
   BearingForces forces_;
   BearingInstants instants_;
   const double slowest_;
-  double remains_ = 1.0;                           // error a correction leaves, over it
-  bool keep_energy_ = false, balanced_ = false;    // balanced_: the energy at the start is known
+  double remains_ = 1.0;    // last estimate of the error that remains after a correction, divided
+                            // by that correction
+  bool keep_energy_ = false, balanced_ = false;    // balanced_: the energy balance has been
+                                                   // computed at the start of the step
   std::vector<double> loads_;                      // loads on the coordinates
   Energy energy_, pending_;
   struct {

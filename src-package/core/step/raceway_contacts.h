@@ -26,7 +26,8 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
                                       const Vec3L &e, const ScaledSlopes<n> &s,
                                       const ProfiledContactT<Lane> *on, const TurnRowT<Lane> *depth)
 {
-  Lane row[n][6], column[6][n];    // column[k]: local forces per k-th velocity of the ball
+  Lane row[n][6], column[6][n];    // column[k]: local forces per unit of the ball's k-th velocity
+                                   // component
   ball_rows(s, R, row);
   if (on)
     for (int k = 0; k < 3; ++k) row[0][k] -= on->slope * row[1][k];
@@ -78,7 +79,8 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
     Lane *B = system.B(group, u), *C = system.C(group, u);
     for (int k = 0; k < 6; ++k)
       for (int i = 0; i < n; ++i) {
-        if ((i == 0 && k >= 3 && !depth) || (i >= 3 && k < 3)) continue;    // zero entries
+        if ((i == 0 && k >= 3 && !depth) || (i >= 3 && k < 3)) continue;    // zero entries of the
+                                                                            // rows
         B[k] -= row[i][k] * force[i];
       }
     for (int k = 0; k < 6; ++k)
