@@ -2,6 +2,7 @@
 // Handles requests for the state of the bearings at instants within host steps, and provides these
 // states.
 #include "fix_bearing_implicit_solver.h"
+#include "fixes.h"
 #include "pair_bearing_hertz.h"
 #include "ring_values.h"
 
