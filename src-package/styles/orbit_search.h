@@ -75,7 +75,7 @@ class OrbitSearch {
   static raceway::FixedPoint::Settings map_settings()
   {
     raceway::FixedPoint::Settings set;
-    set.noise = 3e-7;
+    set.noise = 1e-6;
     return set;
   }
   bool repeats(const SettlingChanges &, double distance, double settled);

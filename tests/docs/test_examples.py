@@ -101,9 +101,9 @@ def run_session(page, folder):
     Console lines that begin with "$ " are commands; the lines that follow must appear in the output
     of these commands, in this order. Commands that show no output must succeed.
     """
-    paths = dict(os.environ, PATH=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
     # containers run as root, which Open MPI rejects unless these environment variables are set
-    paths |= dict.fromkeys(("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"), "1")
+    root = ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM")
+    paths = os.environ | dict.fromkeys(root, "1")
     for number, (kind, block) in enumerate(session(page), 1):
         transcript = block.startswith("$ ")
         if kind == "python":

@@ -66,6 +66,14 @@ def test_energy(name, axial, rpm, temperature, models, spin_law, cage):
     assert np.sign(found.orbit) == np.sign(rpm) == -np.sign(found.rotation[2])
 
 
+def test_every_thrust_has_a_motion():
+    """Between balls that skid and balls that friction holds there is a range of thrusts, 107 to 109
+    N, in which either motion ends."""
+    for axial in np.linspace(96, 114, 10):
+        found = moving("7205B", axial, 8000, 70)
+        assert np.all(np.abs(found.residual[:4]) < 1e-8 * axial)
+
+
 def test_balance_of_a_skidding_ball():
     """In a 7208B under 426 N the balls slide across their grooves. Coulomb's law, summed over the
     points of both contact ellipses with vectors in three dimensions, gives forces and moments that

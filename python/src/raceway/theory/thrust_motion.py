@@ -306,47 +306,60 @@ def find(
     `static.equilibrium`; `film` contains the speed of the inner ring.
 
     Newton's method starts from the motion `near`, or else from balls that roll. If it fails, the
-    motion is followed from a lower speed, at which friction holds the balls. Raises `NoEquilibrium`
-    if there is no such motion.
+    motion is followed from a lower speed, at which friction holds the balls, or from a lower
+    thrust, at which they slide: in a narrow range of thrusts both motions exist, and either can
+    end. Raises `NoEquilibrium` if there is no such motion.
     """
     ring, thrust = abs(film.speed), -float(state.force[2])
     slices = spin_law == "slices"
 
-    def at(part):
+    def at(part, share=1.0):
         gap = replace(film, speed=part * ring)
         return _Balance(
-            bearing, oil, fluid, gap, surfaces, clearance, part * ring, thrust, density, cage,
-            slices,
+            bearing, oil, fluid, gap, surfaces, clearance, part * ring, share * thrust, density,
+            cage, slices,
         )  # fmt: skip
 
-    def rolled(part):
-        balance, rest = at(part), state
-        if part < 1:
+    def rolled(*parts):
+        balance, rest = at(*parts), state
+        if min(parts) < 1:
             rest, _ = turning(
-                bearing, part * ring, 0.0, thrust, clearance=clearance, ball_density=density,
-                finite_shift=True, film=balance.gap,
+                bearing, balance.ring, 0.0, balance.thrust, clearance=clearance,
+                ball_density=density, finite_shift=True, film=balance.gap,
             )  # fmt: skip
         return balance.newton(_start(balance, rest))
 
-    part, (y, off) = 1.0, at(1.0).newton(near.place) if near else rolled(1.0)
+    y, off = at(1.0).newton(near.place) if near else rolled(1.0)
     if near and off > EXACT:
         y, off = rolled(1.0)
-    while off > EXACT and part > SLOWEST:
-        part /= 2
-        y, off = rolled(part)
-    step = 2.0
-    while off <= EXACT and part < 1 and step > 1.001:
-        ahead = min(1.0, part * step)
-        faster = y.copy()
-        faster[3:] *= ahead / part
-        there, left = at(ahead).newton(faster)
-        if left <= EXACT:
-            part, y, step = ahead, there, min(2.0, 1.5 * step)
-        else:
-            step **= 0.5
-    if off > EXACT or part < 1:
+    if off > EXACT:
+        y = _followed(at, rolled, 0.5, SLOWEST, slice(3, None))
+    if y is None:
+        y = _followed(lambda part: at(1.0, part), lambda part: rolled(1.0, part), 0.9, 0.3)
+    if y is None:
         raise NoEquilibrium("no steady motion found for balls that slide under a thrust")
     return _motion(at(1.0), y, state, film.speed)
+
+
+def _followed(at, rolled, less, least, grows=slice(0)):
+    """Return the motion (7,) of the balance `at(1)`, followed from the largest part less^n, at
+    least `least`, at which Newton's method finds the motion `rolled(part)`. Its values `grows` are
+    proportional to the part. It is None if the motion is not found or ends."""
+    part, off = 1.0, np.inf
+    while off > EXACT and part * less > least:
+        part *= less
+        y, off = rolled(part)
+    step = 1 / less
+    while off <= EXACT and part < 1 and step > 1.001:
+        ahead = min(1.0, part * step)
+        further = y.copy()
+        further[grows] *= ahead / part
+        there, left = at(ahead).newton(further)
+        if left <= EXACT:
+            part, y, step = ahead, there, min(1 / less, 1.5 * step)
+        else:
+            step **= 0.5
+    return y if off <= EXACT and part == 1 else None
 
 
 def _start(balance, state):
