@@ -3,6 +3,7 @@
 check that no point is lost if the sweep is killed half-way. Write build/bench/sweep.rst.
 
     .venv/bin/python tests/bench/sweep.py [--print]     --print: do not write the page
+    .venv/bin/python tests/bench/sweep.py --against DIR     only compare with another built tree
 
 Runs with one process and with two processes alternate, so that a drift in the speed of the machine
 affects both. The exit code is 1 if a point was lost or run twice.
@@ -51,26 +52,29 @@ sweep.
 """
 
 
-def write_table(path):
-    """Write the points to a CSV file, and return the number of points."""
+def write_table(path, models=None):
+    """Write the points to a CSV file, and return the number of points. Without `models` they have
+    the models that are the default of the main deck."""
     points = list(itertools.product(LOADS, SPEEDS, CLEARANCES, OILS))
     with open(path, "w", newline="") as file:
         writer = csv.writer(file)
-        writer.writerow(("load", "rpm", "clearance", "lubricant", "passes", "settle", "samples"))
-        writer.writerows((*point, PASSES, SETTLE, SAMPLES) for point in points)
+        heads = ["load", "rpm", "clearance", "lubricant", "passes", "settle", "samples"]
+        same = [PASSES, SETTLE, SAMPLES] + ([models] if models else [])
+        writer.writerow(heads + (["models"] if models else []))
+        writer.writerows((*point, *same) for point in points)
     return len(points)
 
 
-def command(table, folder, jobs):
+def command(table, folder, jobs, tree=ROOT):
     words = [table, "--out", folder, "--jobs", jobs]
-    return [sys.executable, "-m", "raceway", "sweep", *map(str, words)]
+    return [tree / ".venv/bin/python", "-m", "raceway", "sweep", *map(str, words)]
 
 
-def timed(table, folder, jobs):
+def timed(table, folder, jobs, tree=ROOT):
     begun = time.monotonic()
     done = subprocess.run(
-        command(table, folder, jobs),
-        cwd=ROOT,
+        command(table, folder, jobs, tree),
+        cwd=tree,
         text=True,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
@@ -112,7 +116,27 @@ def killed_half_way(table, folder, points):
     return len(before), len(after), sum(after.get(name) != when for name, when in before.items())
 
 
+def against(tree):
+    """Print how many times as fast this tree runs the points as another one, with the same models.
+    The trees alternate, with one sweep on two cores at a time."""
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        for models in ("paper", "full"):
+            points = write_table(folder / "points.csv", models)
+            seconds = {ROOT: [], tree: []}
+            for _ in range(ROUNDS):
+                for one, times in seconds.items():
+                    times.append(timed(folder / "points.csv", folder / "out", 2, one))
+                    shutil.rmtree(folder / "out")
+            ratios = [other / own for own, other in zip(*seconds.values())]
+            speeds = [points / statistics.median(times) for times in seconds.values()]
+            print(f"{models}: {spread(ratios, '.2f')} times as fast, {speeds[0]:.1f} and"
+                  f" {speeds[1]:.1f} points per second", flush=True)  # fmt: skip
+
+
 def main():
+    if "--against" in sys.argv:
+        return against(Path(sys.argv[sys.argv.index("--against") + 1]).resolve())
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         table = folder / "points.csv"
