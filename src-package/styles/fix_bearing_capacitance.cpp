@@ -70,7 +70,7 @@ void FixBearingCapacitance::read_options(Arguments &args)
         args.positive("film_floor", model_.film_floor, "thinnest film of a capacitor (m)") ||
         args.positive("resistivity", ask_.resistivity, "resistivity of the lubricant (ohm m)") ||
         args.positive("frequency", ask_.frequency, "frequency of the impedance (Hz)") ||
-        args.positive("strength", ask_.strength, "electric strength of a film (V/m)") ||
+        args.positive("strength", ask_.strength, "dielectric strength of a film (V/m)") ||
         args.integer("within", within_, "instants per step", 1, 100000) ||
         args.word("file", totals_name_, "name of the file") ||
         args.word("contacts", contacts_name_, "name of the file for contacts"))

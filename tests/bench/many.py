@@ -89,9 +89,9 @@ there are four in a plane grid. With :math:`n = N/P` bearings per rank, the time
 
 Two quantities are measured: the cost :math:`c` per host step of a bearing among many, and the
 number :math:`g` of ghost atoms per bearing along a cut. Three quantities are assumed: the latency
-:math:`L` = {latency:.0f} µs, the bandwidth :math:`B` = {bandwidth:.0f} GB/s, and the time :math:`p`
-= {pack:.0f} ns to pack and unpack a ghost. A ghost has :math:`b` = {ghost_bytes} bytes (position,
-velocity, spin). A bearing on a cut requires one or two additional short messages in both
+:math:`L` = {latency:.0f} µs, the bandwidth :math:`B` = {bandwidth:.0f} GB/s, and the time
+:math:`p` = {pack:.0f} ns to pack and unpack a ghost. A ghost has :math:`b` = {ghost_bytes} bytes
+(position, velocity, spin). A bearing on a cut requires one or two additional short messages in both
 directions: for the sums over its ring and, with the implicit step, for the state of its bodies.
 
 {fleets}

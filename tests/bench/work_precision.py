@@ -67,8 +67,8 @@ methods; errors below it are not significant. The grey line is 1e-3.
 
 {scenes}
 
-What failed
------------
+Rejected variants
+-----------------
 
 :doc:`../notes/integrator` describes what was tried and rejected.
 

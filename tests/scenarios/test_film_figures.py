@@ -54,7 +54,7 @@ def test_the_fix_gives_the_numbers_of_python(pair):
     parts = found["plates"] + found["around"] + found["unloaded"]
     np.testing.assert_allclose(parts, rows["capacitance_total"], rtol=1e-10)
     np.testing.assert_allclose(found["plates"], rows["capacitance"], rtol=1e-10)
-    # at the threshold, the largest field equals the electric strength
+    # at the threshold, the largest field equals the dielectric strength
     at = film_figures.over_time(of, whole, ASK._replace(voltage=float(found["threshold"][9])))
     assert float(at["field"][9]) == pytest.approx(STRENGTH, rel=1e-12)
 
@@ -117,7 +117,7 @@ def test_instants_have_them(tmp_path):
     [
         ("resistivity 0", "resistivity of the lubricant (ohm m)"),
         ("frequency -1", "frequency of the impedance (Hz)"),
-        ("strength x", "electric strength of a film (V/m)"),
+        ("strength x", "dielectric strength of a film (V/m)"),
     ],
 )
 def test_bad_words(tmp_path, words, message):

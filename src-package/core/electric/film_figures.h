@@ -14,7 +14,7 @@ namespace raceway {
 struct FilmQuestions {
   double resistivity = 0.0;    // of the lubricant, ohm m
   double frequency = 0.0;      // Hz
-  double strength = 0.0;       // electric strength of a film, V/m
+  double strength = 0.0;       // dielectric strength of a film, V/m
 
   bool any() const { return resistivity > 0.0 || frequency > 0.0 || strength > 0.0; }
 };

@@ -68,7 +68,7 @@ bool read_number(Arguments &args, CircuitSettings &s)
                            "capacitance of the other bearing over this one's") ||
          args.non_negative("beside", s.beside, "capacitance beside the bearing (F)") ||
          args.non_negative("stray", s.stray, "capacitance added to every film (F)") ||
-         args.positive("breakdown", s.strength, "electric strength of a film (V/m)") ||
+         args.positive("breakdown", s.strength, "dielectric strength of a film (V/m)") ||
          args.positive("film_floor", s.film_floor, "smallest local thickness (m)") ||
          args.positive("resistivity", s.resistivity, "resistivity of the lubricant (ohm m)") ||
          args.positive("arc", s.arc, "resistance of a film while it fails (ohm)") ||

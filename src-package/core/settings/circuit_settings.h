@@ -17,7 +17,7 @@ struct CircuitSettings {
                                                     // relative to that of this bearing
   double beside = 0.0, stray = 0.0;                 // F
   raceway::Waveform voltage;
-  double strength = 0.0, film_floor = 1e-9;    // electric strength, V/m, 0 for no breakdown; film
+  double strength = 0.0, film_floor = 1e-9;    // dielectric strength, V/m, 0 for no breakdown; film
                                                // floor, m
   bool rough = true;                           // reduce the local thickness by 3 sigma
   double resistivity = 0.0;                    // ohm m; 0 for no leak

@@ -74,10 +74,8 @@ def _attributes(name):
 
 
 def heated(tables: RunTables) -> bool:
-    """Return True for a run whose temperatures follow from its losses.
-
-    Of several bearings in a run, only some may be heated.
-    """
+    """Return True if the temperatures of the bearing follow from its losses. Another bearing of the
+    same run may be at constant temperature."""
     inner = tables.total_columns.get("temperature_inner")
     return inner is not None and bool(np.isfinite(inner).any())
 
