@@ -91,10 +91,15 @@ class Model:
         leave the load zone of a radial load."""
         if scene.load == 0:
             return rest.films.total
-        _, *others = places(self.bearing.balls).tolist()
-        placed = [replace(scene, phase=phase, near=None) for phase in others]
-        found = [one.rest(oil, rest.clearance).films.total for one in placed]
-        return float(np.mean([rest.films.total, *found]))
+        phases = places(self.bearing.balls)
+        # the second half of the ball pass mirrors the first at the load line
+        _, *others, middle = phases[: len(phases) // 2 + 1].tolist()
+        weights = {0.0: 1, **dict.fromkeys(others, 2), middle: 1}
+        found = [rest.films.total]
+        for phase in (*others, middle):
+            placed = replace(scene, phase=phase)
+            found.append(placed.rest(oil, rest.clearance).films.total)
+        return float(np.average(found, weights=list(weights.values())))
 
     def _line(self, name, cage, angle, lag, idle):
         balls = self.bearing.balls
