@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A deck of one's own: the axis is x, the outer ring turns and carries the load, and the inner ring
-is fixed."""
+"""A user's deck in which the axis is x, the outer ring turns and carries the load, and the inner
+ring is fixed."""
 
 import numpy as np
 import pytest
