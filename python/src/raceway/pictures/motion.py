@@ -25,8 +25,8 @@ def motion(tables: RunTables, path: FilePath) -> None:
     """Plot the motion of the inner ring in the run `tables`, or of the outer ring if only that
     moves, and write the plot to the PNG file `path`. The panels show the orbit of its centre, its
     displacement and tilt, the moment that opposes the spin of the inner ring relative to the outer
-    ring, and the largest force on the cage against time. For a one-piece cage, they
-    also show the orbit of the cage and the forces of the balls on their pockets against azimuth.
+    ring, and the largest force on the cage against time. For a one-piece cage, they also show the
+    orbit of the cage and the forces of the balls on their pockets against azimuth.
 
     Quantities that were not recorded or did not change have no panel. Raises `RunError` if the
     run's files are invalid or do not contain a ring, or if the picture cannot be written.

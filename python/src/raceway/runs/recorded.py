@@ -148,7 +148,8 @@ class Recorded:
     @property
     def cage(self) -> xr.Dataset:
         """Dataset (time, ball) of the cage balls of a chain, or dataset (time) of a cage ring."""
-        if CAGE_RING in self.record.fixed("ring_raceway"):
+        ring = CAGE_RING in self.record.fixed("ring_raceway")
+        if ring and (self._of_one or "cage_x" not in self._file):
             table = rings(self.record, self.tables.first, self.tables.last, CAGE_RING)
             return self._of_table({name: table[name] for name in CAGE}, CAGE)
         return self._atoms("cage_", "cage_ball")
