@@ -20,10 +20,10 @@ if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
 HELP = "find clearance, thrust, oil temperature and cooling from measured values"
 DESCRIPTION = """\
 Finds the state of a real bearing from readings. A reading is a line in orders of the shaft speed
-(FTF, BPFO, BPFI, BSF), a capacitance of the contacts in F, a temperature in degrees C, or a
-recording in which lines are found. Each reading has a standard deviation, `within`, and an
-operating point. A least-squares fit of statics, films and friction determines the `unknown`
-quantities within the given ranges.
+(FTF, BPFO, BPFI, BSF), the capacitance of the contacts in F (mean over a ball pass), a temperature
+in degrees C, or a recording in which lines are found. Each reading has a standard deviation,
+`within`, and an operating point. A least-squares fit of statics, films and friction determines the
+`unknown` quantities within the given ranges.
 
 A table of lines (--lines) can be given instead of FILE. The unknowns are then clearance and thrust,
 and also load and oil temperature unless they are given.
