@@ -62,9 +62,9 @@ std::vector<std::string> given_of(const NamedData &data, const std::vector<std::
   std::vector<std::string> list;
   for (const auto &value : data.values) {
     const auto of_file = data.of_file.find(value.first);
-    const bool asked = std::any_of(kinds.begin(), kinds.end(), [&](const std::string &kind) {
-      return find_deck_variable(value.first, kind) != nullptr;
-    });
+    const DeckVariable *const of = find_deck_variable(value.first);
+    const bool asked = of && std::any_of(kinds.begin(), kinds.end(),
+                                         [of](const auto &kind) { return of->taken_by(kind); });
     if (asked && (of_file == data.of_file.end() || of_file->second != value.second))
       list.push_back(value.first + "=" + value.second);
   }

@@ -94,7 +94,7 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
       main = main && deck.settable.count(v.name);
     for (const bearing::DeckVariable &v : bearing::deck_variables()) {
       const bool ours = v.taken_by("deck") ? main : deck.passed.count(v.name) || v.taken_by(file);
-      if (!ours || !complaint.empty() || &v != bearing::find_deck_variable(v.name)) continue;
+      if (!ours || !complaint.empty()) continue;
       const auto value = bearing::host_variable(lmp, v.name);
       const std::string wrong = value ? bearing::wrong_value(v, *value) : "";
       if (wrong.empty()) continue;

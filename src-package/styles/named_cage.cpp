@@ -2,6 +2,7 @@
 #include "named_cage.h"
 
 #include "../core/settings/written.h"
+#include "../deck/find_data.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "pair_bearing.h"
@@ -18,13 +19,13 @@ namespace bearing {
 // they are joined by +.
 static std::set<std::string> left_out(Arguments &args, const std::string &names)
 {
-  const std::set<std::string> parts = {"friction", "shear", "film", "land", "churning"};
+  const std::vector<std::string> parts = {"friction", "shear", "film", "land", "churning"};
   std::set<std::string> out;
   std::istringstream list(names == "none" ? "" : names);
   for (std::string name; std::getline(list, name, '+');) {
-    if (!parts.count(name))
+    if (std::find(parts.begin(), parts.end(), name) == parts.end())
       args.fail("cage_without '" + names + "': there is no part '" + name +
-                "'; there is: friction, shear, film, land, churning, joined by +, or none");
+                "'; there is: " + joined(parts) + ", joined by +, or none");
     out.insert(name);
   }
   return out;

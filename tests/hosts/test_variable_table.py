@@ -13,6 +13,10 @@ from scenarios.test_run_bearing import differ
 RANGES = {row["name"]: row for row in rows() if row["range"]}
 
 
+def test_one_row_for_a_variable():
+    assert len({row["name"] for row in rows()}) == len(rows())
+
+
 def ends(name):
     """Return the values at the ends of the range of a variable, and values outside it."""
     low, high, *more = RANGES[name]["range"].split()

@@ -135,11 +135,9 @@ def held(
 def ball_density(path: FilePath) -> float:
     """Return the density of the balls (kg/m^3) stated in a file in inputs/bearings; the default is
     the density of steel. Raises `InputError`."""
-    known = "ball_density" in values(path)
+    name = "ball_density"
     return (
-        numbers(path, "ball_density")["ball_density"]
-        if known
-        else float(variable_table.default("ball_density"))
+        numbers(path, name)[name] if name in values(path) else float(variable_table.default(name))
     )
 
 

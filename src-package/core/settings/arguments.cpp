@@ -48,7 +48,6 @@ void Arguments::take_variables()
   if (names.empty()) fail("'vars' needs the name of a variable");
   for (const std::string &name : names) {
     const DeckVariable *const entry = find_deck_variable(name);
-    const bool ours = find_deck_variable(name, taker(command_));
     if (!entry) {
       std::string known;
       for (const DeckVariable &v : variables_of(taker(command_)))
@@ -58,7 +57,8 @@ void Arguments::take_variables()
     const std::optional<std::string> value = host_variable(lmp_, name);
     if (!value) continue;
     // a line whose style is given by a variable contains the words of all styles that it may select
-    if (!ours) fail("variable " + name + " belongs to " + entry->of + ": leave it out here");
+    if (!entry->taken_by(taker(command_)))
+      fail("variable " + name + " belongs to " + entry->of + ": leave it out here");
     words_.push_back(name);
     std::istringstream in(*value);
     for (std::string word; in >> std::quoted(word);) words_.push_back(word);

@@ -307,10 +307,10 @@ std::string usual_word(const std::string &name) { return find_deck_variable(name
 
 double usual_number(const std::string &name) { return std::stod(usual_word(name)); }
 
-const DeckVariable *find_deck_variable(const std::string &name, const std::string &of)
+const DeckVariable *find_deck_variable(const std::string &name)
 {
   for (const DeckVariable &v : deck_variables())
-    if (v.name == name && (of.empty() || v.taken_by(of))) return &v;
+    if (v.name == name) return &v;
   return nullptr;
 }
 

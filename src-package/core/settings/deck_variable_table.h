@@ -35,7 +35,7 @@ struct DeckVariable {
 const std::vector<DeckVariable> &deck_variables();
 // Returns the variables that belong to a command, a style, a kind of data or a deck.
 std::vector<DeckVariable> variables_of(const std::string &of);
-const DeckVariable *find_deck_variable(const std::string &name, const std::string &of = "");
+const DeckVariable *find_deck_variable(const std::string &name);
 
 // Return the default of a variable. For a number, it must have one.
 double usual_number(const std::string &name);
