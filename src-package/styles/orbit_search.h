@@ -71,8 +71,7 @@ class OrbitSearch {
 
  private:
   // `noise` is the relative error of the speeds at the end of a ball pass. Ball passes in which
-  // nothing is left of a disturbance repeat within 5e-9 to 3e-7, with the tolerance of the deck and
-  // with one of 1e-7 m (docs/run_bearing.rst).
+  // nothing is left of a disturbance repeat within 5e-9 to 3e-7 (docs/run_bearing.rst).
   static raceway::FixedPoint::Settings map_settings()
   {
     raceway::FixedPoint::Settings set;
