@@ -60,7 +60,7 @@ void FixBearingImplicit::read(Arguments &args)
   BearingIntegrator::Settings &settings = solver_->settings;
   const auto two_names = [&args](const char *brief, const char *variable, double &to) {
     if (!args.take(brief)) return args.variable(variable, to);
-    to = args.number_of(variable);
+    to = args.number_of(variable, brief);
     return true;
   };
   if (args.variable("tolerance", tolerance_) || args.variable("cage_tolerance", cage_) ||

@@ -65,15 +65,19 @@ void Arguments::take_variables()
   }
 }
 
-std::string Arguments::value_of(const char *variable)
+std::string Arguments::value_of(const char *variable, const char *keyword)
 {
-  const DeckVariable *entry = find_deck_variable(variable);
-  const std::string value = word(variable), wrong = wrong_value(*entry, value);
+  DeckVariable entry = *find_deck_variable(variable);
+  if (keyword) entry.name = keyword;
+  const std::string value = word(entry.name), wrong = wrong_value(entry, value);
   if (!wrong.empty()) fail(wrong);
   return value;
 }
 
-double Arguments::number_of(const char *variable) { return std::atof(value_of(variable).c_str()); }
+double Arguments::number_of(const char *variable, const char *keyword)
+{
+  return std::atof(value_of(variable, keyword).c_str());
+}
 
 bool Arguments::variable_of(const std::string &of, std::map<std::string, std::string> &to)
 {

@@ -49,9 +49,9 @@ class Arguments {
   double within(const std::string &what, double lo, double hi);
   int integer(const std::string &what, int lo, int hi);
   // Reads the value of a deck variable, which must be within the range stated in the table of
-  // variables.
-  std::string value_of(const char *variable);
-  double number_of(const char *variable);
+  // variables. Messages use the name of the variable or, if given, that of the keyword.
+  std::string value_of(const char *variable, const char *keyword = nullptr);
+  double number_of(const char *variable, const char *keyword = nullptr);
   int choice(const std::string &what, const std::vector<std::string> &allowed);
   // Options: each of these reads `keyword` and its value if that keyword is the next word, and
   // returns whether it is.
