@@ -4,7 +4,7 @@ surroundings of a contact is compared with exact integrals and limits."""
 
 import numpy as np
 import pytest
-from physics_c import BALL, INNER, OIL, OUTER, PITCH
+from physics_c import BALL, INNER, MASJEDI, OIL, OUTER, PITCH, film_pair, groove_radii
 from raceway import capacitance_outside, groove_width, hertz
 from raceway.core import laws
 from raceway.theory.bearing import Bearing
@@ -219,7 +219,7 @@ def test_rigid_form_is_that_of_two_parabolas(physics, side):
     across the groove deviates from R_y by less than 1 %."""
     raceway = physics.raceway_6208(side)
     gap, edge = 5e-6, 5e-3
-    r_x, r_y = physics.radii(side)
+    r_x, r_y = groove_radii(side)
     exact = 4 * np.pi * np.sqrt(r_x * r_y) * np.arcsinh(edge / np.sqrt(2 * r_y * gap))
     assert integral(physics, raceway, 0, gap, edge, play=0) == pytest.approx(exact, rel=0.005)
 
@@ -309,15 +309,16 @@ def test_the_separation(physics):
     derived = raceway.radial()
     cage_speed = 200.0
     q_u = raceway.data["ball_mass"] * PITCH * cage_speed**2
-    film = dict(lnA=derived.central_lnA, p=derived.central_p, m=derived.central_m, speed=1.5)
     heavy, light = (4 * q_u / derived.K) ** (2 / 3), (0.1 * q_u / derived.K) ** (2 / 3)
     h = capacitors(physics, raceway, [heavy, light, -1e-9, -1e-5], cage_speed=cage_speed)[2]
-    least = physics.call("thickness", load=q_u, **film)
-    assert h[0] == pytest.approx(physics.call("thickness", load=4 * q_u, **film), rel=1e-12)
+    r_x, r_y = groove_radii(INNER)
+    film = MASJEDI, hertz.exact(r_x, r_y).kappa, 0.04, 15e-9, 210e9 / 0.91, r_x, 1.5
+    least = film_pair(*film, q_u)[1]
+    assert h[0] == pytest.approx(film_pair(*film, 4 * q_u)[1], rel=1e-12)
     np.testing.assert_allclose(h[1:3], least, rtol=1e-12)
     assert h[3] == 1e-5
     at_rest = capacitors(physics, raceway, [-1e-9], cage_speed=0.0)[2]
-    assert at_rest == pytest.approx(physics.call("thickness", load=0.1, **film), rel=1e-12)
+    assert at_rest == pytest.approx(film_pair(*film, 0.1)[1], rel=1e-12)
     assert capacitors(physics, raceway, [-1e-9, 1e-7], film_floor=2e-6)[2] == pytest.approx(2e-6)
 
 
