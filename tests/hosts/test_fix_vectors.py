@@ -12,7 +12,7 @@ FIXES = {
     "ring": "fix ring inner bearing/ring free loaded spin speed 100 load 1000 ramp 3.0e-3",
     "implicit": "fix implicit all bearing/implicit",
     "capacitance": "fix capacitance balls bearing/capacitance 1",
-    "circuit": "fix circuit balls bearing/circuit 1 capacitance motor 50e-12 1e-9 voltage sine 300 200",
+    "circuit": "fix circuit balls bearing/circuit 1 capacitance floating 9",
     "heat": "fix heat all bearing/heat cooling 2",
     "timestep": "fix timestep all bearing/timestep 100 exceed ignore",
 }

@@ -147,6 +147,17 @@ class Raceway:
     def radial(self):
         return self._physics.call("raceway_radial", self._handle)
 
+    def reach(self, depth, angle=0.0, semi_axis=0.0):
+        """Return how far (m) a groove of a given depth (m) extends on both sides of a contact."""
+        return self._physics.call(
+            "groove_reach",
+            p=self._handle,
+            depth=depth,
+            sine=np.sin(angle),
+            cosine=np.cos(angle),
+            semi_axis=semi_axis,
+        )
+
     def touch(self, d, e):
         """Return (whether the surfaces overlap, contact state with its geometry set)."""
         touching, state = self._physics.call("contact_touch", p=self._handle, d=d, e=e)
