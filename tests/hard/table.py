@@ -23,8 +23,7 @@ PAGE = """\
 These scenes are hard to integrate; they run with :doc:`../fix_bearing_implicit` and its default
 settings, one host step per sample. The bearing is a 6208, in mineral oil unless stated otherwise.
 ``tests/hard/cases.yaml`` lists the scenes, the bounds with their reasons, and the cases that miss
-their bound. Of {number} figures, {missed} are outside
-their bound.
+their bound. Of {number} figures, {missed} are outside their bound.
 
 The figure is the largest difference in contact load over balls, raceways and samples, relative to
 the peak load, starting from the sample that the case specifies. *Whole course* is the same figure
