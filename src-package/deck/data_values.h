@@ -21,6 +21,7 @@ class DataValues {
   {
   }
 
+  bool has(const std::string &name) const { return map_.count(name) > 0; }
   std::string word(const std::string &name) const
   {
     const auto at = map_.find(name);

@@ -2,30 +2,22 @@
 #include "named_data.h"
 
 #include "../core/settings/data_table.h"
-#include "../core/settings/deck_variable_table.h"
 #include "bearing_compat.h"
 #include "find_data.h"
 #include "given_variables.h"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 namespace bearing {
 
-namespace {
-
-// Returns the names of the data that the user has set with -var or in the deck.
-Names given_names(const Names &set, const DataValues::Map &of_file)
+// Returns the names that are known on the first rank, which reads the command line and the decks.
+static Names of_first_rank(LAMMPS_NS::LAMMPS *lmp, const Names &names)
 {
-  Names found;
-  for (const std::string &name : set)
-    if (of_file.count(name)) found.insert(name);
-  for (const DeckVariable &v : deck_variables())
-    if (set.count(v.name) && v.of_data()) found.insert(v.name);
-  return found;
+  std::istringstream in(of_first_rank(lmp, joined({names.begin(), names.end()}, " ")));
+  return {std::istream_iterator<std::string>(in), {}};
 }
-
-}    // namespace
 
 NamedData read_data(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, const std::string &inputs,
                     const std::string &sort, const std::string &name)
@@ -46,23 +38,22 @@ NamedData read_data(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, const std::st
       args.fail(data.label + ": a line of data is 'variable NAME index VALUE', not '" + line + "'");
     data.values.emplace(key, value);
   }
-  std::set<std::string> of_lines;
-  for (const auto &value : data.values) of_lines.insert(value.first);
-  if (const std::string wrong = mistyped(of_lines); !wrong.empty())
+  Names known;
+  for (const auto &value : data.values) known.insert(value.first);
+  if (const std::string wrong = mistyped(known); !wrong.empty())
     args.fail(data.label + ": " + wrong);
   data.of_file = data.values;
-  std::string given, of_deck;
-  if (is_first_rank(lmp)) {
-    const Names deck = set_by_deck();
-    Names all = words_after("-var", "-v");
-    all.insert(deck.begin(), deck.end());
-    for (const std::string &one : given_names(all, data.of_file)) given += one + " ";
-    for (const std::string &one : given_names(deck, data.of_file)) of_deck += one + " ";
-  }
-  std::istringstream names(of_first_rank(lmp, given)), own(of_first_rank(lmp, of_deck));
-  for (std::string one; names >> one;)
+  for (const DeckVariable &v : deck_variables())
+    if (v.of_data()) known.insert(v.name);
+  const bool first = is_first_rank(lmp);
+  const Names deck = of_first_rank(lmp, first ? set_by_deck() : Names());
+  Names all = of_first_rank(lmp, first ? words_after("-var", "-v") : Names());
+  all.insert(deck.begin(), deck.end());
+  for (const std::string &one : known) {
+    if (deck.count(one)) data.of_deck.push_back(one);
+    if (!all.count(one)) continue;
     if (const auto value = host_variable(lmp, one)) data.values[one] = *value;
-  for (std::string one; own >> one;) data.of_deck.push_back(one);
+  }
   return data;
 }
 
@@ -71,9 +62,9 @@ std::vector<std::string> given_of(const NamedData &data, const std::vector<std::
   std::vector<std::string> list;
   for (const auto &value : data.values) {
     const auto of_file = data.of_file.find(value.first);
-    const bool asked = std::any_of(kinds.begin(), kinds.end(), [&](const std::string &kind) {
-      return find_deck_variable(value.first, kind) != nullptr;
-    });
+    const DeckVariable *const of = find_deck_variable(value.first);
+    const bool asked = of && std::any_of(kinds.begin(), kinds.end(),
+                                         [of](const auto &kind) { return of->taken_by(kind); });
     if (asked && (of_file == data.of_file.end() || of_file->second != value.second))
       list.push_back(value.first + "=" + value.second);
   }
@@ -97,20 +88,24 @@ std::string note_of_deck(const NamedData &data)
                             ". Rename a variable that has another meaning";
 }
 
+void check_datum(const Arguments &args, const NamedData &data, const DeckVariable &v)
+{
+  const std::string &value = data.values.at(v.name), wrong = wrong_value(v, value);
+  const auto of_file = data.of_file.find(v.name);
+  const bool from_file = of_file != data.of_file.end() && of_file->second == value;
+  if (!wrong.empty()) args.fail((from_file ? data.label + ": " : "") + wrong);
+}
+
 std::vector<std::string> check_data(const Arguments &args, NamedData &data, const std::string &of)
 {
   std::vector<std::string> missing, assumed;
-  for (const DeckVariable &v : deck_variables()) {
-    if (!v.taken_by(of) || data.values.count(v.name)) continue;
-    if (*v.initial) data.values[v.name] = v.initial;
-    (*v.initial ? assumed : missing).push_back(v.name);
+  for (const DeckVariable &v : variables_of(of)) {
+    if (data.values.count(v.name)) continue;
+    (v.needed_by(of) ? missing : assumed).push_back(v.name);
+    data.values[v.name] = v.initial;
   }
   if (!missing.empty()) args.fail(data.label + " has no variable " + joined(missing));
-  for (const DeckVariable &v : deck_variables()) {
-    if (!v.taken_by(of)) continue;
-    const std::string wrong = wrong_value(v, data.values[v.name]);
-    if (!wrong.empty()) args.fail(wrong);
-  }
+  for (const DeckVariable &v : variables_of(of)) check_datum(args, data, v);
   return assumed;
 }
 

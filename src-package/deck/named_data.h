@@ -3,6 +3,7 @@
 // catalogue, but values given by the user take precedence.
 #pragma once
 
+#include "../core/settings/deck_variable_table.h"
 #include "data_values.h"
 
 namespace bearing {
@@ -27,9 +28,12 @@ std::vector<std::string> given_of(const NamedData &, const std::vector<std::stri
 // string if there are none.
 std::string note_of_deck(const NamedData &);
 
-// Sets the defaults of the variables in the table that belong to `of`, and checks all of these
-// variables. Stops with an error if a variable without a default is missing. Returns the names of
+// Sets the defaults of the variables in the table that belong to the kind of data `of`, and checks
+// all of these variables. Stops with an error if a needed variable is missing. Returns the names of
 // the variables that were set.
 std::vector<std::string> check_data(const Arguments &, NamedData &, const std::string &of);
+// Stops with an error unless the value is in the range of the table. The message names the file if
+// the value is from there.
+void check_datum(const Arguments &, const NamedData &, const DeckVariable &);
 
 }    // namespace bearing

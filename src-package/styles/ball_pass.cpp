@@ -77,15 +77,6 @@ Place place(const PairCoefficients &coefficients, const Body &ball, const Body &
   }
 }
 
-// Returns the cosine of the nominal contact angle of a named bearing, which balls of this type
-// belong to. It is NAN for other balls.
-double nominal_cosine(LAMMPS *lmp, int ball_type)
-{
-  const NamedBearing *b = bearing_of_type(lmp, ball_type);
-  if (!b || !b->in_use) return NAN;
-  return std::cos((b->number("contact_angle") + b->number("four_point")) * M_PI / 180.0);
-}
-
 // A row of balls between an inner and an outer ring.
 struct Row {
   const Body *ring[2] = {};
@@ -128,8 +119,8 @@ std::vector<Row> rows_of(LAMMPS *lmp, const PairCoefficients &coefficients,
     }
     if (!row.ring[0] || !row.ring[1]) continue;
     row.ball_radius = ball.radius;
-    const double nominal = nominal_cosine(lmp, static_cast<int>(ball.type));
-    row.cosine = std::isnan(nominal) ? best[0].cosine : nominal;
+    const NamedBearing *b = bearing_of_type(lmp, static_cast<int>(ball.type));
+    row.cosine = b && b->in_use ? std::cos(b->contact_angle() * M_PI / 180.0) : best[0].cosine;
     Row &in = rows.emplace(std::make_pair(row.ring[0]->tag, row.ring[1]->tag), row).first->second;
     in.balls += 1.0;
   }

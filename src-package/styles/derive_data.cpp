@@ -1,32 +1,29 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Derives variables from the given data of a bearing or an oil.
-#include "../core/geometry/cage_ring.h"
+#include "derive_data.h"
+
 #include "../core/geometry/gothic_arch.h"
 #include "../core/geometry/usual_data.h"
 #include "../core/laws/oil_data.h"
-#include "derive_laws.h"
 
-using bearing::DataValues;
+namespace bearing {
 
-namespace {
+static constexpr double degree = M_PI / 180.0;
 
-constexpr double degree = M_PI / 180.0;
-
-void usual_data(DataValues &deck)
+void derive_usual_data(DataValues &deck)
 {
   const double ball = deck.number("ball_diameter");
   const raceway::UsualData data = {deck.number("balls"), ball, deck.number("pitch_diameter"),
                                    deck.number("contact_angle") * degree};
   if (!(data.pitch_diameter * std::sin(M_PI / data.balls) > ball))
-    deck.fail(bearing::text(data.balls) + " balls of " + bearing::text(ball) +
-              " m overlap on a pitch circle of " + bearing::text(data.pitch_diameter) + " m");
+    deck.fail(text(data.balls) + " balls of " + text(ball) + " m overlap on a pitch circle of " +
+              text(data.pitch_diameter) + " m");
   if (deck.number("contact_angle") != 0.0)
     deck.zero("clearance", "it follows from the contact angle");
   deck.suggest("inner_groove", deck.number("inner_conformity") * ball);
   deck.suggest("outer_groove", deck.number("outer_conformity") * ball);
   deck.suggest("inner_radius", data.inner_radius(deck.number("inner_conformity") * ball));
   deck.suggest("outer_radius", data.outer_radius(deck.number("outer_conformity") * ball));
-  deck.suggest("pocket_play", raceway::usual_play * ball);
   deck.suggest("cage_ball_diameter", data.cage_ball_diameter(deck.number("pocket_play")));
   const raceway::RingCylinder ring = {
       deck.number("bore_diameter"), deck.number("bearing_width"),
@@ -36,15 +33,34 @@ void usual_data(DataValues &deck)
   deck.suggest("inner_inertia_t", ring.inertia_t(deck.number("inner_mass")));
 }
 
-raceway::OilData oil_data(const DataValues &deck)
+static raceway::KinematicViscosity walther(const DataValues &deck, double at)
 {
-  return {deck.number("oil_density_40"), deck.number("oil_density_slope"),
-          deck.number("pressure_viscosity_40"), deck.number("pressure_viscosity_100"),
-          deck.number("permittivity_40")};
+  const double low = deck.number("kinematic_viscosity_40"),
+               high = deck.number("kinematic_viscosity_100");
+  if (!(low > high && high > 0.3))
+    deck.fail("kinematic viscosity " + text(low) + " mm2/s at 40 C and " + text(high) +
+              " at 100 C: must fall and stay above 0.3");
+  return raceway::walther(low, high, at);
 }
 
-void suggest_oil(DataValues &deck, const raceway::OilAtTemperature &oil)
+bool follows_temperature(const DataValues::Map &oil)
 {
+  return oil.count("vogel_viscosity") || oil.count("kinematic_viscosity_40");
+}
+
+void derive_oil(DataValues &deck)
+{
+  const raceway::OilData data = {deck.number("oil_density_40"), deck.number("oil_density_slope"),
+                                 deck.number("pressure_viscosity_40"),
+                                 deck.number("pressure_viscosity_100"),
+                                 deck.number("permittivity_40")};
+  const double at = deck.number("temperature");
+  const raceway::KinematicViscosity kinematic =
+      deck.has("vogel_viscosity")
+          ? raceway::vogel(deck.number("vogel_viscosity"), deck.number("vogel_slope"),
+                           deck.number("vogel_temperature"), data, at)
+          : walther(deck, at);
+  const raceway::OilAtTemperature oil = at_temperature(data, kinematic, at);
   deck.suggest("viscosity", oil.viscosity);
   deck.suggest("pressure_viscosity", oil.pressure_viscosity);
   deck.suggest("temperature_viscosity", oil.temperature_viscosity);
@@ -52,29 +68,7 @@ void suggest_oil(DataValues &deck, const raceway::OilAtTemperature &oil)
   deck.suggest("permittivity", oil.permittivity);
 }
 
-void walther(DataValues &deck)
-{
-  const double low = deck.number("kinematic_viscosity_40"),
-               high = deck.number("kinematic_viscosity_100"), at = deck.number("temperature");
-  if (!(low > high && high > 0.3))
-    deck.fail("kinematic viscosity " + bearing::text(low) + " mm2/s at 40 C and " +
-              bearing::text(high) + " at 100 C: must fall and stay above 0.3");
-  suggest_oil(deck, at_temperature(oil_data(deck), raceway::walther(low, high, at), at));
-}
-
-void vogel(DataValues &deck)
-{
-  const raceway::OilData oil = oil_data(deck);
-  const double at = deck.number("temperature");
-  suggest_oil(deck, at_temperature(oil,
-                                   raceway::vogel(deck.number("vogel_viscosity"),
-                                                  deck.number("vogel_slope"),
-                                                  deck.number("vogel_temperature"), oil, at),
-                                   at));
-}
-
-// Sets the data of a four-point bearing. If `four_point` is 0, each ring has one groove.
-void four_point(DataValues &deck)
+void derive_raceways(DataValues &deck)
 {
   const double angle = deck.number("four_point") * degree,
                ball_radius = 0.5 * deck.number("ball_diameter");
@@ -87,19 +81,11 @@ void four_point(DataValues &deck)
     return;
   }
   deck.zero("contact_angle", "four_point sets the contact angle");
-  deck.set("b_inner_raceway", bearing::digits(deck.number("inner_radius") - inner.depth()));
-  deck.set("b_inner_arch", "gothic_arch " + bearing::digits(inner.offset()));
+  deck.set("b_inner_raceway", digits(deck.number("inner_radius") - inner.depth()));
+  deck.set("b_inner_arch", "gothic_arch " + digits(inner.offset()));
   deck.set("b_outer_raceway",
            deck.number("outer_radius") + 0.5 * deck.number("clearance") + outer.depth());
-  deck.set("b_outer_arch", "gothic_arch " + bearing::digits(outer.offset()));
+  deck.set("b_outer_arch", "gothic_arch " + digits(outer.offset()));
 }
 
-}    // namespace
-
-bearing::DeriveLaws bearing::data_laws()
-{
-  return {{"four_point", four_point},
-          {"usual_data", usual_data},
-          {"vogel", vogel},
-          {"walther", walther}};
-}
+}    // namespace bearing

@@ -42,12 +42,8 @@ FixBearingCageRing::FixBearingCageRing(LAMMPS *lmp, int narg, char **arg) :
   if (!pair_->coefficients().is_ball(ball_type_))
     args.fail("type " + std::to_string(ball_type_) +
               " is not a ball: no pair_coeff gives it a raceway");
-  if (b) {
-    Arguments words(lmp, args.command(), bearing::cage_words(lmp, args, *b));
-    cage_.read(words);
-  } else {
-    cage_.read(args);
-  }
+  if (b) cage_ = bearing::named_cage(lmp, args, *b);
+  else cage_.read(args);
   settings_.program = cage_.program;
   settings_are_read();
 }

@@ -61,11 +61,10 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
 
 void FixBearingCapacitance::read_options(Arguments &args)
 {
-  const char *const outlet = "relative permittivity of the outlet";
   while (args.more()) {
     if (args.within("permittivity", model_.permittivity,
                     "relative permittivity at ambient pressure", 1.0, 10.0) ||
-        args.within("outlet", model_.permittivity_outlet, outlet, 1.0, 10.0) ||
+        args.variable("outlet", model_.permittivity_outlet) ||
         args.non_negative("background", background_, "background capacitance (F)") ||
         args.positive("film_floor", model_.film_floor, "thinnest film of a capacitor (m)") ||
         args.positive("resistivity", ask_.resistivity, "resistivity of the lubricant (ohm m)") ||
@@ -82,7 +81,7 @@ void FixBearingCapacitance::read_options(Arguments &args)
       model_.surroundings = static_cast<Surroundings>(
           args.choice("surroundings", {"none", "flooded", "dry", "cavitated"}));
       if (model_.surroundings == Surroundings::cavitated && args.next_is_number())
-        model_.permittivity_outlet = args.within(outlet, 1.0, 10.0);
+        model_.permittivity_outlet = args.number_of("outlet");
     } else if (args.non_negative("shoulders", model_.inner_shoulder,
                                  "shoulder diameter of the inner ring (m)")) {
       model_.outer_shoulder = args.non_negative("shoulder diameter of the outer ring (m)");

@@ -56,9 +56,8 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
   int keep = 0;
   while (args.more()) {
     if (args.integer("restart", every_restart_, "steps between restart files", 0, 2000000000) ||
-        (waits() && args.integer("keep", keep, "samples between restart files", 0, 1000000)) ||
-        args.yes("resume", resume_) || args.yes("last", last_) ||
-        args.word("settings", settings_, "settings"))
+        (waits() && args.variable("keep", keep)) || args.yes("resume", resume_) ||
+        args.yes("last", last_) || args.word("settings", settings_, "settings"))
       continue;
     if (args.take("mean")) means_.push_back(DrivenValue::read(args, "mean"));
     else if (args.take("count"))

@@ -5,6 +5,7 @@
 #include "../core/geometry/usual_data.h"
 #include "../core/numbers/number_list.h"
 #include "../core/settings/arguments.h"
+#include "../core/settings/deck_variable_table.h"
 #include "ball_pass.h"
 #include "fix_bearing_cage_ring.h"
 #include "fix_bearing_implicit.h"
@@ -31,6 +32,9 @@ FixBearingHeat::FixBearingHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, nar
 {
   Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   std::string heat = "yes";
+  network_.ambient = bearing::usual_number("ambient");
+  control_.change = bearing::usual_number("warm_change");
+  control_.error = bearing::usual_number("warm_error");
   while (args.more())
     if (!(args.variable("heat", heat) || args.variable("ambient", network_.ambient) ||
           args.variable("cooling", cooling_) || args.variable("shaft_cooling", network_.shaft) ||

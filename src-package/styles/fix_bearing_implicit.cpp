@@ -26,7 +26,7 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
 {
   BearingIntegrator::Settings &settings = solver_->settings;
   settings.dampers_only = strcmp(style, "bearing/implicit") != 0;
-  if (strcmp(style, "bearing/vibration") == 0) sampling_ = 48000.0;
+  if (strcmp(style, "bearing/vibration") == 0) sampling_ = bearing::usual_number("sampling");
   Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   while (args.more()) read(args);
   if (std::isnan(relative_) && (tolerance_ > 0.0 || settings.dampers_only)) relative_ = 0.0;
@@ -58,16 +58,14 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
 void FixBearingImplicit::read(Arguments &args)
 {
   BearingIntegrator::Settings &settings = solver_->settings;
-  const auto two_names = [&](const char *one, const char *other, double &to, const char *what,
-                             double lo, double hi) {
-    return args.within(one, to, what, lo, hi) || args.within(other, to, what, lo, hi);
+  const auto two_names = [&args](const char *brief, const char *variable, double &to) {
+    if (!args.take(brief)) return args.variable(variable, to);
+    to = args.number_of(variable);
+    return true;
   };
-  double oversampling = oversampling_;
   if (args.variable("tolerance", tolerance_) || args.variable("cage_tolerance", cage_) ||
-      two_names("relative", "relative_tolerance", relative_,
-                "tolerance relative to the largest overlap", 0.0, 1e-2) ||
-      two_names("error", "step_error", settings.error, "error of a step over the tolerance", 1.0,
-                100.0) ||
+      two_names("relative", "relative_tolerance", relative_) ||
+      two_names("error", "step_error", settings.error) ||
       args.integer("order", settings.order, "order", 1, 2) ||
       args.integer("corrections", settings.corrections, "corrections in a stage", 1, 100) ||
       args.within("largest", largest_, "largest step (s)", smallest_step, HUGE_VAL) ||
@@ -77,9 +75,9 @@ void FixBearingImplicit::read(Arguments &args)
   if (args.take("control") || args.take("step_control"))
     estimate_ = args.choice("control", {"bound", "estimate"});
   else if (args.take("solve")) settings.dampers_only = args.choice("solve", {"all", "damping"});
-  else if (sampling_ > 0.0 && args.variable("sampling", sampling_)) return;
-  else if (sampling_ > 0.0 && args.variable("oversampling", oversampling))
-    oversampling_ = oversampling;
+  else if (sampling_ > 0.0 &&
+           (args.variable("sampling", sampling_) || args.variable("oversampling", oversampling_)))
+    return;
   else if (args.next() == "sampling" || args.next() == "oversampling")
     args.fail("sampling and oversampling belong to fix bearing/vibration");
   else args.unknown();

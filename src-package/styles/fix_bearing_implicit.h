@@ -19,6 +19,7 @@ FixStyle(bearing/implicit,FixBearingImplicit)
 
 #include "../contacts/instants.h"
 #include "../contacts/tag_set.h"
+#include "../core/settings/deck_variable_table.h"
 #include "bearing_compat.h"
 
 #include <memory>
@@ -112,16 +113,17 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   std::set<std::string> readers_;    // commands that have requested instants
   double largest_ = HUGE_VAL;        // s, largest substep
   double creep_ = 0.01;
-  double cage_ = 0.0;                           // tolerance of cage balls, m, or 0
-  double relative_ = NAN;                       // relative tolerance; NAN if it is set by the pair
-                                                // style
-  std::optional<bool> estimate_;                // true: control by error estimates; empty if this
-                                                // is set by the pair style
-  double sampling_ = 0.0, oversampling_ = 4;    // sampling rate of the signal, Hz; samples in the
-                                                // record per sample of the signal
-  std::vector<FixBearingRing *> rings_;         // fixes whose rings are integrated by this fix
-  std::vector<Fix *> gravity_;                  // gravity fixes that act on all atoms of the group
-  std::vector<double> forces_;                  // forces saved while gravity is evaluated
+  double cage_ = 0.0;               // tolerance of cage balls, m, or 0
+  double relative_ = NAN;           // relative tolerance; NAN if it is set by the pair
+                                    // style
+  std::optional<bool> estimate_;    // true: control by error estimates; empty if this
+                                    // is set by the pair style
+  double sampling_ = 0.0;           // sampling rate of the signal, Hz
+  double oversampling_ = bearing::usual_number("oversampling");    // samples in the record per
+                                                                   // sample of the signal
+  std::vector<FixBearingRing *> rings_;    // fixes whose rings are integrated by this fix
+  std::vector<Fix *> gravity_;             // gravity fixes that act on all atoms of the group
+  std::vector<double> forces_;             // forces saved while gravity is evaluated
   std::unique_ptr<Solver> solver_;
   int build_ = -1;
   // totals of the bearings whose home is on this rank, since the start of the run

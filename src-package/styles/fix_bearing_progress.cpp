@@ -3,6 +3,7 @@
 
 #include "../core/figures/fix_columns.h"
 #include "compute_bearing_total.h"
+#include "fix_bearing_cage_ring.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "print_line.h"
@@ -69,8 +70,9 @@ void FixBearingProgress::show()
   }
   if (total_->invoked_vector != update->ntimestep) total_->compute_vector();
   const bearing::BearingFigures &of = total_->figures();
-  double moved = 0.0;    // m, largest displacement of a ring
+  double moved = 0.0;    // m, largest displacement of a raceway ring
   for (FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp)) {
+    if (dynamic_cast<FixBearingCageRing *>(f)) continue;
     double x[3];
     for (int k = 0; k < 3; ++k) x[k] = f->compute_vector(bearing::of_fix_ring::X + k);
     moved = std::max(moved, std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]));

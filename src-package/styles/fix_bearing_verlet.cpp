@@ -13,12 +13,9 @@ using bearing::Arguments;
 FixBearingVerlet::FixBearingVerlet(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
-  std::string ignored;
+  std::map<std::string, std::string> ignored;
   while (args.more())
-    if (!(args.variable("tolerance", ignored) || args.variable("relative_tolerance", ignored) ||
-          args.variable("cage_tolerance", ignored) || args.variable("step_error", ignored) ||
-          args.variable("step_control", ignored)))
-      args.unknown();
+    if (!args.variable_of("bearing/verlet", ignored)) args.unknown();
 }
 
 void FixBearingVerlet::BRG_AFTER_CREATION()

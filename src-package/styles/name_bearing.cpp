@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "name_bearing.h"
 
-#include "../core/settings/deck_variable_table.h"
+#include "../core/geometry/cage_ring.h"
 #include "../core/settings/usual_cage.h"
 #include "../deck/given_variables.h"
-#include "derive_laws.h"
+#include "derive_data.h"
 #include "named_bearing.h"
 #include "print_line.h"
 
@@ -12,6 +12,14 @@ using namespace LAMMPS_NS;
 using bearing::Arguments;
 using bearing::DataValues;
 using bearing::NamedBearing;
+
+// Removes a setting that does not belong to the data of the bearing, and returns its value or its
+// default.
+static std::string setting(DataValues::Map &words, const char *variable)
+{
+  const auto word = words.extract(variable);
+  return word.empty() ? bearing::usual_word(variable) : word.mapped();
+}
 
 void NameBearing::command(int narg, char **arg)
 {
@@ -22,18 +30,13 @@ void NameBearing::command(int narg, char **arg)
       std::string::npos)
     args.fail("the name '" + b.name + "' must consist of letters, digits and '_'");
   const std::string data = args.word("bearing of the catalogue, or a file");
-  std::string inputs = bearing::find_deck_variable("inputs")->initial;
-  std::string cage = bearing::find_deck_variable("cage")->initial;
   DataValues::Map own;
   while (args.more()) {
     if (args.take("types")) {
       for (int *type : {&b.balls, &b.cage, &b.inner, &b.outer})
         *type = args.integer("atom type", 1, 1000);
-    } else {
-      bool known = args.variable("inputs", inputs) || args.variable("cage", cage);
-      for (const char *key : {"clearance", "contact_angle", "four_point"})
-        if (!known && (known = args.take(key))) own[key] = args.value_of(key);
-      if (!known) args.unknown();
+    } else if (!args.variable_of("bearing", own)) {
+      args.unknown();
     }
   }
   if (!b.balls) args.fail("'types BALLS CAGE INNER OUTER' is missing");
@@ -41,6 +44,8 @@ void NameBearing::command(int narg, char **arg)
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < i; ++j)
       if (types[i] == types[j]) args.fail("types: balls, cage balls and both rings need their own");
+  const std::string inputs = setting(own, "inputs");
+  std::string cage = setting(own, "cage");
   refuse_unknown(args, inputs);
   b.data = bearing::read_data(lmp, args, inputs, "bearings", data);
   b.given = bearing::given_of(b.data, {"bearing data", "usual data"});
@@ -85,11 +90,11 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
     // run starts
     const std::string file = bearing::deck_name(infile);
     bool main = true;    // true for a complete main deck, which converts rpm by a formula
-    for (const bearing::DeckVariable &v : bearing::deck_variables())
-      if (v.taken_by("deck")) main = main && deck.settable.count(v.name);
+    for (const bearing::DeckVariable &v : bearing::variables_of("deck"))
+      main = main && deck.settable.count(v.name);
     for (const bearing::DeckVariable &v : bearing::deck_variables()) {
       const bool ours = v.taken_by("deck") ? main : deck.passed.count(v.name) || v.taken_by(file);
-      if (!ours || !complaint.empty() || &v != bearing::find_deck_variable(v.name)) continue;
+      if (!ours || !complaint.empty()) continue;
       const auto value = bearing::host_variable(lmp, v.name);
       const std::string wrong = value ? bearing::wrong_value(v, *value) : "";
       if (wrong.empty()) continue;
@@ -126,24 +131,16 @@ std::string NameBearing::usual_cage(bool cage_balls)
 void NameBearing::derive(const Arguments &args, NamedBearing &b)
 {
   DataValues::Map &map = b.data.values;
-  for (const char *key : {"clearance", "contact_angle", "four_point"})
-    if (const auto [at, is_new] = map.emplace(key, bearing::find_deck_variable(key)->initial);
-        !is_new) {
-      const std::string wrong = bearing::wrong_value(*bearing::find_deck_variable(key), at->second);
-      if (!wrong.empty()) args.fail(b.data.label + ": " + wrong);
-    }
+  for (const char *key : {"clearance", "contact_angle", "four_point"}) {
+    map.emplace(key, bearing::usual_word(key));
+    bearing::check_datum(args, b.data, *bearing::find_deck_variable(key));
+  }
   DataValues values(args, map, b.data.label);
-  const bearing::DeriveLaws laws = bearing::data_laws();
   const bool usual = map.count("pitch_diameter") && !map.count("inner_radius");
   if (usual || map.count("inner_conformity")) {
-    for (const char *key : {"ball_young", "ball_poisson", "ball_density"})
-      map.emplace(key, bearing::find_deck_variable(key, "usual data")->initial);
-    for (const bearing::DeckVariable &v : bearing::deck_variables()) {
-      if (!v.taken_by("usual data") || !map.count(v.name)) continue;
-      const std::string wrong = bearing::wrong_value(v, map.at(v.name));
-      if (!wrong.empty()) args.fail(b.data.label + ": " + wrong);
-    }
-    laws.at("usual_data")(values);
+    values.suggest("pocket_play", raceway::usual_play * values.number("ball_diameter"));
+    bearing::check_data(args, b.data, "usual data");
+    bearing::derive_usual_data(values);
   } else if (values.number("contact_angle") != 0.0) {
     args.fail("contact_angle is " + map["contact_angle"] +
               ", must be 0 (other angles need a bearing with usual data, such as 7208)");
@@ -152,7 +149,7 @@ void NameBearing::derive(const Arguments &args, NamedBearing &b)
   // rounded to the same number of digits as by the formula of the host in earlier decks
   values.set("b_outer_raceway", values.number("outer_radius") + 0.5 * values.number("clearance"));
   values.set("b_box", 1.3 * values.number("b_outer_raceway"));
-  laws.at("four_point")(values);
+  bearing::derive_raceways(values);
 }
 
 // Sets the variables with numbers that a deck uses in formulas or prints.
@@ -166,8 +163,8 @@ void NameBearing::set_variables(const NamedBearing &b)
   const auto number = [&](const std::string &name, double value) {
     set(name, bearing::digits(value));
   };
-  for (const bearing::DeckVariable &v : bearing::deck_variables())
-    if (v.taken_by("bearing data")) set(v.name, b.word(v.name));
+  for (const bearing::DeckVariable &v : bearing::variables_of("bearing data"))
+    set(v.name, b.word(v.name));
   set("inner_radius", b.word("b_inner_raceway"));
   set("outer_radius", b.word("b_outer_raceway"));
   set("clearance", b.word("clearance"));

@@ -28,6 +28,9 @@ struct NamedBearing {
   {
     return data.values.count(key) ? number(key) : missing;
   }
+  // Returns the nominal contact angle in degrees: that of the arches of a four-point bearing, or
+  // that of the grooves.
+  double contact_angle() const { return number("contact_angle") + number("four_point"); }
   const std::string &word(const std::string &key) const { return data.values.at(key); }
   double number(const std::string &key) const { return std::atof(word(key).c_str()); }
 };

@@ -21,15 +21,11 @@ OrbitBalls::OrbitBalls(LAMMPS *lmp) : lmp_(lmp)
     const double tag = static_cast<double>(c.ball);
     const Vec3 at = axes_.third(Vec3::from(atom.x[c.i_ball]));
     if (balls_.empty() || balls_.back().tag != tag)
-      balls_.push_back({0.0, HUGE_VAL, tag, 0.0, 0.0, at, axes_.third(Vec3::from(atom.v[c.i_ball])),
+      balls_.push_back({0.0, tag, 0.0, 0.0, at, axes_.third(Vec3::from(atom.v[c.i_ball])),
                         axes_.third(Vec3::from(atom.omega[c.i_ball]))});
     Ball &ball = balls_.back();
     const bool outer = c.side() == raceway::Side::outer;
-    const double away = std::fabs(at.z - axes_.third(Vec3::from(atom.x[c.i_ring])).z);
-    if (outer && away < ball.away) {
-      ball.row = static_cast<double>(c.ring);
-      ball.away = away;
-    }
+    if (outer) ball.row = static_cast<double>(c.ring);
     if (!c.live) continue;
     ball.load += c.state.load;
     if (!outer) ball.inner += c.state.load;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The balls of all bearings, arranged by slots, as used by `settle orbit`. All rows have the same
-// number of balls and, around their rings, as many slots. In each ball pass, every ball moves to
-// the next slot of its row.
+// number of balls, each of which is between an inner and an outer ring, and, around their rings, as
+// many slots. In each ball pass, every ball moves to the next slot of its row.
 #pragma once
 
 #include "../core/numbers/lab_axes.h"
@@ -45,7 +45,7 @@ class OrbitBalls {
 
  private:
   struct Ball {
-    double row, away;         // tag of the nearest outer ring, and its distance along the axis, m
+    double row;               // tag of the ball's outer ring
     double tag, load;         // load: N, total of both raceways
     double inner;             // N, load on the inner raceway
     raceway::Vec3 x, v, w;    // relative to the bearing's centre; the third component is along the

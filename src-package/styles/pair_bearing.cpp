@@ -5,7 +5,7 @@
 #include "../core/settings/deck_variable_table.h"
 #include "../core/settings/written.h"
 #include "../deck/find_data.h"
-#include "derive_laws.h"
+#include "derive_data.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "named_bearing.h"
@@ -49,7 +49,7 @@ void PairBearing::settings(int narg, char **arg)
   more_.clear();
   coeffs_.clear();
   choice_ = {};
-  temperature_ = 40.0;
+  temperature_ = bearing::usual_number("temperature");
   std::vector<std::string> of_style;    // words for the base class
   while (args.more()) {
     if (args.next() == "axis" || args.next() == "overlap_limit") {
@@ -105,13 +105,11 @@ bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string
   given_ = bearing::given_of(oil, {"oil data", "oil constant", "oil over temperature"});
   oil.values["temperature"] = digits(t);
   std::vector<std::string> assumed = check_data(args, oil, "oil constant");
-  const bool vogel = oil.values.count("vogel_viscosity"),
-             follows = vogel || oil.values.count("kinematic_viscosity_40");
-  if (follows) {
+  if (bearing::follows_temperature(oil.values)) {
     const std::vector<std::string> more = check_data(args, oil, "oil over temperature");
     assumed.insert(assumed.end(), more.begin(), more.end());
     bearing::DataValues values(args, oil.values, oil.label);
-    bearing::data_laws().at(vogel ? "vogel" : "walther")(values);
+    bearing::derive_oil(values);
   } else if (const auto at = oil.of_file.find("temperature");
              at != oil.of_file.end() && args.number_in(at->second, "temperature") != t)
     args.fail(oil.label + " has values for " + at->second + " C only, not for " + text(t) +
@@ -312,8 +310,7 @@ std::pair<std::string, double> PairBearing::oil_of(const std::string &bearing) c
 bool PairBearing::oil_follows(const std::string &name) const
 {
   return std::any_of(coeffs_.begin(), coeffs_.end(), [&](const Coeff &c) {
-    return c.bearing == name &&
-           (c.data.count("vogel_viscosity") || c.data.count("kinematic_viscosity_40"));
+    return c.bearing == name && bearing::follows_temperature(c.data);
   });
 }
 

@@ -7,6 +7,7 @@ PairStyle(bearing,PairBearing)
 #ifndef LMP_PAIR_BEARING_H
 #define LMP_PAIR_BEARING_H
 
+#include "../core/settings/deck_variable_table.h"
 #include "../core/settings/model_words.h"
 #include "pair_bearing_hertz.h"
 
@@ -79,8 +80,8 @@ class PairBearing : public PairBearingHertz {
   double ring_speed(int ring_type) const;
 
   std::string oil_name_, more_;    // more_: further keywords
-  std::string folder_ = "inputs";
-  double temperature_ = 40.0, cage_share_ = 1.0;
+  std::string folder_ = bearing::usual_word("inputs");
+  double temperature_ = bearing::usual_number("temperature"), cage_share_ = 1.0;
   bool estimate_ = true;
   bearing::ModelChoice choice_;
   std::string own_model_;    // keywords from a file of models

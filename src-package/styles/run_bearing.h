@@ -7,6 +7,7 @@ CommandStyle(run_bearing,RunBearing)
 #ifndef LMP_RUN_BEARING_H
 #define LMP_RUN_BEARING_H
 
+#include "../core/settings/deck_variable_table.h"
 #include "bearing_compat.h"
 #include "fix_bearing_run.h"
 #include "run_phase.h"
@@ -27,14 +28,14 @@ class RunBearing : public bearing::CommandBase {
     double settle = 1.0, passes = 0.0;    // in ball passes
     bool automatic = false;               // settle until little change remains
     bool orbit = false;                   // settle on the orbit if there is one
-    double settled = 1e-2;                // remaining relative change below which the bearing
-                                          // counts as settled
-    int limit = 100;                      // maximum number of ball passes while settling
-    double step = 0.0;                    // s; 0 to choose the step automatically
-    double safety = 0.3;                  // fraction of the stability limit
-    double rate = 0.0;                    // Hz, sampling rate; 0 to use that of the records
-    double angle = NAN;                   // degrees, contact angle; NAN: computed from the
-                                          // positions of the balls
+    // remaining relative change below which the bearing counts as settled
+    double settled = bearing::usual_number("settled");
+    int limit = 100;                                // maximum number of ball passes while settling
+    double step = bearing::usual_number("step");    // s; 0 to choose the step automatically
+    double safety = bearing::usual_number("safety");    // fraction of the stability limit
+    double rate = 0.0;     // Hz, sampling rate; 0 to use that of the records
+    double angle = NAN;    // degrees, contact angle; NAN: computed from the
+                           // positions of the balls
   };
   void read(class bearing::Arguments &);
   std::string words() const;

@@ -104,7 +104,8 @@ void RunBearing::say_pass()
   const bearing::SettlingChanges &r = now().rest;
   char line[160];
   snprintf(line, sizeof line,
-           "Ball pass %.0f: rest of torque %.1e, loads %.1e, cage speed %.1e, spin axes %.1e rad",
+           "Ball pass %.0f: remaining changes: torque %.1e, loads %.1e, cage speed %.1e,"
+           " spin axes %.1e rad",
            now().passes, r.torque, r.load, r.cage_speed, r.spin_axis);
   bearing::print_line(lmp, line + pocket_fall() + (now().coarse != 0.0 ? " (coarse steps)" : ""));
 }

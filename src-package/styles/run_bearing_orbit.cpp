@@ -9,6 +9,7 @@
 #include "fix_bearing_record.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
+#include "pair_bearing_hertz.h"
 #include "print_line.h"
 #include "run_bearing.h"
 
@@ -18,6 +19,16 @@ using bearing::print_line;
 using bearing::text;
 using raceway::Multiplier;
 
+static double number_of_balls(LAMMPS *lmp)
+{
+  const PairBearingHertz *pair = PairBearingHertz::find(lmp, "run_bearing");
+  double balls = 0.0;
+  for (int i = 0; i < lmp->atom->nlocal; ++i)
+    balls += pair->coefficients().is_ball(lmp->atom->type[i]);
+  MPI_Allreduce(MPI_IN_PLACE, &balls, 1, MPI_DOUBLE, MPI_SUM, lmp->world);
+  return balls;
+}
+
 // Returns the reason why no ball pass in this scene can repeat the previous one, or an empty string
 // if this is possible.
 std::string RunBearing::why_no_orbit()
@@ -26,6 +37,9 @@ std::string RunBearing::why_no_orbit()
   if (settings_.rate > 0.0) return "samples per second do not divide a ball pass";
   const std::vector<bearing::BallRow> rows =
       bearing::ball_rows(lmp, "run_bearing", settings_.angle);
+  double left = number_of_balls(lmp);    // balls that are in none of the rows
+  for (const bearing::BallRow &row : rows) left -= row.balls;
+  if (left > 0.0) return "not all balls are between an inner and an outer ring";
   for (const bearing::BallRow &row : rows)
     if (row.balls != rows[0].balls || !(std::fabs(row.pass / rows[0].pass - 1.0) <= 1e-3))
       return "the rows of balls differ in number of balls or in speed";

@@ -54,21 +54,14 @@ def test_unknown_in_every_deck(tmp_path, deck):
 @pytest.mark.parametrize("host", HOSTS)
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_given(tmp_path, host, ranks):
-    """A run records exactly those bearing and lubricant data that were given with -var."""
-    own = dict(ball_poisson=0.29, inner_mass=2, viscosity=0.05, out=tmp_path, **SHORT)
-    succeed("inputs/in.6208", host=host, ranks=ranks, **own)
+    """Variables at the head of the deck, of `vars`, and of a bearing or an oil are accepted. A run
+    records exactly those bearing and lubricant data that were given with -var."""
+    own = dict(ball_poisson=0.29, inner_mass=2, viscosity=0.05, load=3000, tolerance=1e-9)
+    succeed("inputs/in.6208", host=host, ranks=ranks, out=tmp_path, **own, **SHORT)
     said = raceway.open(tmp_path).settings["given_data"]
     assert sorted(said.split(",")) == ["ball_poisson=0.29", "inner_mass=2", "viscosity=0.05"]
     succeed("inputs/in.6208", host=host, out=tmp_path, overwrite="yes", **SHORT)
     assert raceway.open(tmp_path).settings["given_data"] == "none"
-
-
-@pytest.mark.parametrize("host", HOSTS)
-def test_known(tmp_path, host):
-    """Variables defined at the head of the deck, listed in `vars`, or belonging to a bearing or an
-    oil are accepted."""
-    words = dict(load=3000, tolerance=1e-9, ball_poisson=0.29, viscosity=0.05)
-    succeed("inputs/in.6208", host=host, out=tmp_path, **words, **SHORT)
 
 
 def test_models(tmp_path):

@@ -2,45 +2,8 @@
 """Tests of input that was once accepted, or rejected with the wrong message: bearing and lubricant
 data, words that only C reads as numbers, and paths that are not files."""
 
-import re
-
 import pytest
 from host import ROOT, liggghts, refused
-from raceway.sweeps.variable_table import rows
-
-BEARING = (ROOT / "inputs" / "bearings" / "6208").read_text()
-OF_BEARING = [row["name"] for row in rows() if row["of"] == "bearing data" and not row["default"]]
-MINERAL = (ROOT / "inputs" / "lubricants" / "mineral").read_text()
-
-
-def inputs(tmp_path, folder, name, text):
-    """Return an inputs folder that contains one additional file."""
-    own = tmp_path / "inputs"
-    own.mkdir()
-    for path in (ROOT / "inputs").iterdir():
-        if path.name != folder:
-            (own / path.name).symlink_to(path)
-    (own / folder).mkdir()
-    if text is not None:
-        (own / folder / name).write_text(text)
-    return own
-
-
-def without(text, key):
-    return re.sub(rf"^variable {key} .*\n", "", text, flags=re.MULTILINE)
-
-
-@pytest.mark.parametrize("key", OF_BEARING)
-def test_a_key_that_a_bearing_does_not_have(tmp_path, key):
-    own = inputs(tmp_path, "bearings", "mine", without(BEARING, key))
-    end = liggghts("inputs/in.6208", inputs=own, bearing="mine", out=tmp_path / "out")
-    refused(end, rf"bearing: '{own}/bearings/mine' has no variable {key}\b")
-
-
-def test_a_lubricant_without_viscosity(tmp_path):
-    own = inputs(tmp_path, "lubricants", "mine", without(MINERAL, "viscosity"))
-    end = liggghts("inputs/in.6208", inputs=own, lubricant="mine", out=tmp_path / "out")
-    refused(end, rf"pair_style bearing: '{own}/lubricants/mine' has no variable viscosity\b")
 
 
 def test_a_lubricant_for_a_bearing(tmp_path):
@@ -49,7 +12,10 @@ def test_a_lubricant_for_a_bearing(tmp_path):
 
 
 def test_files_that_are_none(tmp_path):
-    own = inputs(tmp_path, "bearings", "mine", "\ufeff" + BEARING)
+    own = tmp_path / "inputs"
+    (own / "bearings").mkdir(parents=True)
+    text = (ROOT / "inputs/bearings/6208").read_text()
+    (own / "bearings" / "mine").write_text("\ufeff" + text)
     (own / "bearings" / "loop").symlink_to("loop")
     (own / "bearings" / "folder").mkdir()
     for name, message in (

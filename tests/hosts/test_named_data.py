@@ -53,26 +53,42 @@ def recorded(tmp_path, **words):
     return raceway.open(tmp_path / "run").tables.record
 
 
+USUAL = [("7208", 0.0), ("6303", 0.0), ("6303", -7e-6), ("7205B", 0.0)]
+
+
 @pytest.mark.parametrize("host", HOSTS)
-@pytest.mark.parametrize("name", ["7208", "6303"])
-def test_usual_data(tmp_path, host, name):
+@pytest.mark.parametrize("name, clearance", USUAL)
+def test_usual_data(tmp_path, host, name, clearance):
     radii = ("inner_radius", "outer_radius", "inner_groove", "outer_groove")
-    ring = ("inner_mass", "inner_inertia", "inner_inertia_t")
-    texts = told(tmp_path, (*radii, *ring), host=host, bearing=name)
+    others = ("cage_ball_diameter", "box", "inner_mass", "inner_inertia", "inner_inertia_t")
+    texts = told(tmp_path, (*radii, *others), host=host, bearing=name, clearance=clearance)
     found = {key: float(value) for key, value in texts.items()}
     data, file = inputs.bearing(BEARINGS / name), inputs.values(BEARINGS / name)
-    for key in radii:
-        assert found[key] == pytest.approx(getattr(data, key), rel=2e-15), key
+    wanted = {key: getattr(data, key) for key in radii}
+    wanted["outer_radius"] += clearance / 2
     bore, width = float(file["bore_diameter"]) / 2, float(file["bearing_width"])
     shoulder = data.inner_radius + 0.18 * data.ball_diameter
-    mass = 7800 * math.pi * (shoulder**2 - bore**2) * width
     squares = shoulder**2 + bore**2
-    own = {
-        "inner_mass": mass,
-        "inner_inertia": mass * squares / 2,
-        "inner_inertia_t": mass * (3 * squares + width**2) / 12,
-    }
-    assert found == pytest.approx(found | own, rel=1e-14)
+    mass = wanted["inner_mass"] = 7800 * math.pi * (shoulder**2 - bore**2) * width
+    wanted["inner_inertia"] = mass * squares / 2
+    wanted["inner_inertia_t"] = mass * (3 * squares + width**2) / 12
+    half = float(file["pitch_diameter"]) * math.sin(math.pi / 2 / data.balls)
+    gap = 2 * half - data.ball_diameter
+    wanted["cage_ball_diameter"] = gap - float(file["pocket_play"])
+    wanted["box"] = 1.3 * wanted["outer_radius"]
+    assert found == pytest.approx(wanted, rel=1e-13)
+
+
+def test_contact_angle(tmp_path):
+    """If its contact angle is changed, a bearing keeps the circle of its balls."""
+    names = ("inner_radius", "outer_radius")
+    given = told(tmp_path, names, bearing="7208", contact_angle=25)
+    data = inputs.bearing(BEARINGS / "7208")
+    way = math.cos(math.radians(25)) - math.cos(math.radians(40))
+    for side, sign in (("inner", 1), ("outer", -1)):
+        moved = sign * (getattr(data, f"{side}_groove") - data.ball_radius) * way
+        radius = getattr(data, f"{side}_radius") + moved
+        assert float(given[f"{side}_radius"]) == pytest.approx(radius, rel=1e-13), side
 
 
 def test_what_is_given_stays(tmp_path):

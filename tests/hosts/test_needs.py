@@ -9,6 +9,7 @@ import shlex
 import pytest
 from commands import reply
 from host import ROOT, succeed
+from raceway import core
 from raceway.cli import main
 from raceway.runs.run import Run
 from raceway.sweeps import scene_parts
@@ -219,6 +220,24 @@ def test_parts_of_a_cage_ring_are_choices():
     left = variables(picked)["cage_without"]
     assert left == "friction+shear+film+churning"
     assert "without" not in variables(picked)
+
+
+def test_parts_of_a_ring_are_omitted_only_from_a_ring():
+    """Choices of cage, models and integrator that replace the ring do not go with its parts."""
+    settings = {"cage chain", "cage", "models film", "models paper", "damping", "cage friction"}
+    for scene in ({}, {"cage": "ring"}):
+        known = choices(scene, True, deck_variables(ROOT / "inputs/in.6208"))
+        every = sets([one for one in known if one.name in settings])
+        cages = set()
+        for picked in every:
+            all_of = {"cage": "auto", **scene, **variables(picked)}
+            cage = all_of["cage"]
+            if cage == "auto":
+                cage = core.usual_cage(all_of["models"], all_of["integrator"], "", "")
+            parts = "cage_without" in all_of
+            assert cage == "ring" or not parts, all_of
+            cages.add((cage, parts))
+        assert {("ring", True), ("chain", False), ("no", False)} <= cages
 
 
 def test_evaluations_decide_where_times_overlap():

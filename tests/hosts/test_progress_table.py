@@ -39,9 +39,22 @@ def test_main_deck(tmp_path, host, ranks):
     assert load == pytest.approx(float(last["load"].max()), rel=1e-4)
     assert pressure == pytest.approx(1e-9 * float(last["pressure"].max()), rel=1e-3)
     assert cage == pytest.approx(0.4 * SHORT["rpm"] * 3.14159 / 30, rel=0.05)
-    assert ring > 1.0 and loaded >= 1
+    place = run.rings.isel(time=-1)
+    assert ring == pytest.approx(1e6 * float((place.x**2 + place.y**2) ** 0.5), abs=1e-3)
+    assert loaded >= 1
     settled = table(end.text.split("Measuring\n")[0], "Settling")[-1]
     assert time > settled[3] > 0.01  # s: time advances
+
+
+def test_a_cage_is_not_a_ring(tmp_path):
+    # nothing centres the cage of this bearing, so it moves farther than the inner ring
+    options = {**SHORT, "load": 100, "rpm": 6000, "cage": "ring", "cage_play": 1e-3}
+    end = succeed("inputs/in.6208", out=tmp_path, **options)
+    run = raceway.open(tmp_path)
+    place = run.rings.isel(time=-1)
+    ring = 1e6 * float((place.x**2 + place.y**2) ** 0.5)
+    assert table(end.text, "Measuring")[-1][4] == pytest.approx(ring, abs=1e-3)
+    assert 1e6 * float(abs(run.cage.isel(time=-1).x)) > 2 * ring
 
 
 def test_settling_with_verlet_is_one_table(tmp_path):

@@ -5,7 +5,7 @@ import re
 
 import pytest
 from host import BOX, ROOT, deck_file, run
-from raceway import cli, core
+from raceway import cli
 from raceway.sweeps.variable_table import rows
 
 REFUSED = [
@@ -62,7 +62,7 @@ STYLES = {
 def test_range_of_young(tmp_path, words):
     """Every style accepts values of Young's modulus in the range that is allowed for bearing data,
     and no others."""
-    data = {one["name"]: one["range"] for one in rows() if one["of"] == "bearing data"}
+    data = {one["name"]: one["range"] for one in rows() if "bearing data" in one["of"]}
     ends = [float(value) for value in data["ball_young"].split()]
     for value, code in ((ends[0], 0), (ends[1], 0), (0.9 * ends[0], 1), (1.1 * ends[1], 1)):
         deck = deck_file(tmp_path, BOX + words.format(value))
@@ -70,37 +70,6 @@ def test_range_of_young(tmp_path, words):
         assert bool(end.code) == code, end.text
         wanted = f"Young's modulus {STYLES[words]} (Pa) is {value:g}, must be from 1e+08 to 1e+13"
         assert not code or wanted in end.error
-
-
-RANGES = {row["name"]: row for row in reversed(rows()) if row["range"]}
-
-
-def ends(name):
-    """Return the values at the ends of the range of a variable, and values outside it."""
-    low, high, *more = RANGES[name]["range"].split()
-    if low == "one_of":
-        return [high, *more], ["nonsense", ""]
-    inside = [low, high, *more[1:]]
-    outside = [1.1 * float(high), float(low) - 0.1 * abs(float(low) or 1)]
-    outside += [float(low) + 0.5] if more == ["whole"] else []
-    return inside, [*(f"{value:.17g}" for value in outside), "nan", "0x10", "+1", "much"]
-
-
-@pytest.mark.parametrize("name", RANGES)
-def test_range(tmp_path, name):
-    """The range of a variable is that of the table, and a run refuses a value beyond it."""
-    inside, outside = ends(name)
-    assert [value for value in inside if core.wrong_value(name, value)] == []
-    assert [value for value in outside if not core.wrong_value(name, value)] == []
-    kind, value = RANGES[name]["of"], outside[0]
-    deck = "inputs/in.many" if kind == "in.many" else "inputs/in.6208"
-    words = {"bearing": 7208} if kind == "usual data" else {}
-    words |= {"lubricant": "vg46"} if kind == "oil over temperature" else {}
-    end = run(deck, out=tmp_path / "run", **words, **{name: value})
-    shown = f"'{value}'" if value == "nonsense" else f"{float(value):.6g}"
-    unit = RANGES[name]["unit"]
-    assert end.code > 0
-    assert f"{name}{f' ({unit})' if unit else ''} is {shown}, must be " in end.error, end.error
 
 
 @pytest.mark.parametrize(("file", "values"), REFUSED + TAKEN)

@@ -190,7 +190,7 @@ def test_a_step_far_too_large_is_refined_not_wrong(tmp_path):
     [
         ("tolerance -1", "tolerance (m) is -1"),
         ("cage_tolerance 1e-10", "of cage balls (m) is 1e-10, below the tolerance of 1e-09"),
-        ("error 0.5", "error of a step over the tolerance is 0.5"),
+        ("error 0.5", "step_error is 0.5, must be from 1 to 100"),
         ("solve damping error 2", "error is 2, must be 1 with 'solve damping'"),
         ("order 3", "order is 3, must be a whole number from 1 to 2"),
         ("corrections 0", "corrections in a stage is 0"),

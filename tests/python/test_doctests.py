@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The examples in docstrings produce the results that they show."""
+"""The examples in docstrings and in sessions on the pages produce the results that they show."""
 
 import doctest
 import importlib
@@ -7,6 +7,7 @@ import pkgutil
 
 import pytest
 import raceway
+from host import ROOT
 
 MODULES = [
     found.name
@@ -18,6 +19,16 @@ MODULES = [
 @pytest.mark.parametrize("name", MODULES)
 def test_examples(name):
     assert doctest.testmod(importlib.import_module(name)).failed == 0
+
+
+PAGES = [page for page in sorted(ROOT.glob("docs/*.rst")) if ">>> " in page.read_text()]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_pages(page, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    found = doctest.testfile(str(page), module_relative=False)
+    assert found.failed == 0 and found.attempted > 0
 
 
 def test_there_are_some():

@@ -148,7 +148,7 @@ def test_command(capsys):
     both = 2 * found["capacitance_total_F"]
     assert found["bearing_voltage_ratio"] == pytest.approx(50e-12 / (1050e-12 + both))
     text = printed(capsys, "--load", "1000", "--rpm", "3000", "--measured", "3e-10")
-    assert "by all capacitance" in text and len(text.splitlines()) > 30
+    assert "from the whole model" in text and len(text.splitlines()) > 30
     two = printed(capsys, "--load", "500", "1000", "--rpm", "1000", "2000")
     assert len(two.splitlines()) == 5
     warm = answer(capsys, "electric --load 900 --rpm 900 --temperature 40 80")

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from raceway.sweeps.points import LONGEST, TableError, deck_variables, folder_name, read_points
+from raceway.sweeps.variable_table import DATA, rows
 
 DECK = Path(__file__).resolve().parents[2] / "inputs" / "in.6208"
 VARIABLES = deck_variables(DECK)
@@ -20,6 +21,12 @@ def points(tmp_path, text):
 def test_deck_variables():
     assert VARIABLES["load"] == "5000" and VARIABLES["lubricant"] == "mineral"
     assert VARIABLES["ramp"] == "3.0e-3" and VARIABLES["tolerance"] == "0"  # command defaults
+
+
+def test_main_deck_has_every_variable_of_the_table():
+    """This includes variables on continued lines."""
+    of_decks = [row for row in rows() if row["of"] not in DATA and row["of"][:3] != "in."]
+    assert {row["name"] for row in of_decks} <= VARIABLES.keys()
 
 
 def test_points(tmp_path):

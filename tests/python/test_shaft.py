@@ -228,7 +228,11 @@ def test_several_speeds(motor, capsys):
     [
         ("rpm: 1500", "rpm: -3", "rpm is -3, must be from 0 to 100000"),
         ("rpm: 1500", "speed: 3", "unknown 'speed'; known: rpm, gravity, steel"),
-        ("diameter: 0.090", "diameter: wide", "sections 2: diameter is wide, must be from"),
+        (
+            "diameter: 0.090",
+            "diameter: wide",
+            "diameter is wide, must be a number without a unit, from 0.0001 to",
+        ),
         ("length: 0.24, ", "", "sections 2: needs length"),
         ("name: 6208, at: 0.03,", "at: 0.03,", "bearings 1: needs a name"),
         ("name: 6208, at: 0.03,", "name: 9999, at: 0.03,", "there is no bearing '9999'"),

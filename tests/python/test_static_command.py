@@ -172,7 +172,7 @@ def test_folder_here_comes_first(tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     "arguments, said",
     [
-        ([], "position of a ring with clearance is indeterminate"),
+        ([], "position of a ring that is not preloaded is indeterminate"),
         (["--load", "1000", "--hold", "x=0", "--hold", "y=0"], "no ball carries"),
         (["--axial", "1e6"], "out of the inner groove"),
         (["--load", "10", "--bearing", "6299"], "there is no bearing '6299' in "),

@@ -4,8 +4,10 @@ are retained, and a stiff one with a rigid shaft."""
 
 import numpy as np
 import pytest
+import raceway
 from bearings import B6208
 from flexible_shaft import LOADED, PRELOAD, SECTIONS, beam_of, modes_file, node, reduced
+from host import succeed
 from raceway import beam, beam_motion, bending_file, shaft, static
 from raceway.theory.beam import Steel
 from shaft_runs import TILTING, frequencies_of, swing
@@ -123,15 +125,37 @@ def test_deflection_is_that_of_the_beam(resting):
     assert abs(resting["rx1"] - resting["rx2"]) > 1e-4  # the shaft bends
 
 
-def test_stiff_is_rigid(tmp_path):
-    steel = Steel(young=1e7 * beam.STEEL.young)
-    stiff, body = reduced(steel), beam_motion.rigid(*beam_of())
-    bending_file.write(tmp_path / "stiff.modes", stiff)
-    words = {
-        "flexible": f"flexible {tmp_path / 'stiff.modes'}",
+def stiff_and_rigid(folder):
+    """Return the keywords of a flexible shaft that is 1e7 times as stiff as steel, and of the rigid
+    shaft."""
+    body = beam_motion.rigid(*beam_of())
+    bending_file.write(folder / "stiff.modes", reduced(Steel(young=1e7 * beam.STEEL.young)))
+    return {
+        "flexible": f"flexible {folder / 'stiff.modes'}",
         "rigid": f"mass {body.mass!r} inertia {body.axial!r} {body.transverse!r}"
         f" centre {body.centre!r}",
     }
+
+
+def test_stiff_is_rigid_with_cages(tmp_path):
+    """Both shafts take the same steps, also where further iterations evaluate only the cages, and
+    their loads differ by at most ten times the ratio of the stiffness of steel to theirs."""
+    scene, models = "tests/scenarios/in.shaft_orbit", "paper"
+    words = dict(left_at=0, right_at=0.2, place=0.12, settle=1, clearance=1e-5, models=models)
+    loads, evaluations = [], []
+    for kind, body in stiff_and_rigid(tmp_path).items():
+        out = tmp_path / kind
+        control = "tolerance 1e-8 control estimate"
+        succeed(scene, out=out, body=body, control=control, **words)
+        run = raceway.open(out)
+        loads.append(np.nan_to_num([run.select(number).contacts.Q for number in (1, 2)]))
+        evaluations.append(run.settings["evaluations"])
+    assert evaluations[0] == evaluations[1]
+    assert np.abs(loads[0] - loads[1]).max() < 1e-6 * loads[1].max()
+
+
+def test_stiff_is_rigid(tmp_path):
+    words = stiff_and_rigid(tmp_path)
     ends = [
         swing(
             tmp_path / kind,

@@ -143,6 +143,18 @@ def test_a_capacitance_parts_clearance_and_thrust():
         assert one.determined and one.low < true[name] < one.high
 
 
+def test_clearance_from_the_mean_capacitance_of_a_run(tmp_path):
+    """Under a radial load, the capacitance ripples by 5 % as balls pass the load line; that with a
+    ball on the load line differs from the mean by five times the error of the reading."""
+    case = {"load": 1000.0, "clearance": 10e-6, "axial": 0.0}
+    cage(tmp_path, models="full", rpm=1500, **case)
+    mean = raceway.open(tmp_path).summary()["capacitance_F"]
+    at = [Reading("capacitance", mean, 5e-3 * mean, Point(1500.0))]
+    found = identify.identify(readings(at, {"clearance": (0.0, 30e-6)}, **case))
+    one = found.values["clearance"]
+    assert one.low < case["clearance"] < one.high
+
+
 def test_play_of_the_pockets_counts_where_balls_are_idle():
     """The range of slip contains the published values of 0.1 to 0.6 % and the slip of a cage that
     hangs towards the load; if all balls are loaded, there is no slip."""

@@ -5,7 +5,7 @@ one."""
 import numpy as np
 import pytest
 import raceway
-from host import ROOT, succeed
+from host import ROOT, deck_file, succeed
 from raceway import beam, beam_motion, bending_file, shaft_bending
 
 from scenarios.test_run_bearing import DECK as run_deck
@@ -135,6 +135,25 @@ def test_scenes_without_an_orbit_settle_until_ball_passes_agree(words, why, tmp_
     assert found["rest_torque"] <= 1e-2
 
 
+# a ball at rest on an inner ring that has no outer ring
+LONELY = """create_atoms 5 single 0.0303 0 0.13 units box
+create_atoms 6 single 0 0 0.13 units box
+set type 5 diameter 12.6e-3 density 7800
+set type 6 diameter 2e-4 density 1000
+"""
+LONELY_RING = "pair_coeff 5 6 inner 24.0e-3 6.552e-3 lubricant 0.04 22e-9 roughness 1e-7 0\n"
+
+
+def test_a_ball_without_an_outer_ring_has_no_orbit(tmp_path):
+    text = (ROOT / DECK).read_text().replace("create_box 4", "create_box 6")
+    text = text.replace("-${b_box} ${b_box} units box", "-${b_box} 0.2 units box")
+    text = text.replace("pair_coeff * * b\n", "pair_coeff * * b\n" + LONELY_RING)
+    deck = deck_file(tmp_path, text.replace("fix flaw_inner", LONELY + "fix flaw_inner", 1))
+    scene = {**PRELOAD, "models": "none", "settle": "orbit"}
+    done = succeed(deck, out=tmp_path / "run", **scene)
+    assert "No orbit: not all balls are between an inner and an outer ring" in done.text
+
+
 # the same scene with dry contacts; two of its five ball passes begin with chosen speeds
 SHORT = {**TURNS, "settle": "orbit", "more": "limit 5"}
 
@@ -198,6 +217,33 @@ def test_a_fast_decay_is_not_called_unstable(tmp_path):
     assert raceway.open(tmp_path).settings["orbit_stability"].startswith("stable")
 
 
+def speeds(balls):
+    """Return the orbital speed and the radial, tangential and axial spin of each ball, relative to
+    the largest orbital speed and the largest component of a spin."""
+    x, y, vx, vy = (balls[name].to_numpy() for name in ("x", "y", "vx", "vy"))
+    wx, wy, wz = (balls[f"omega{axis}"].to_numpy() for axis in "xyz")
+    r = np.hypot(x, y)
+    orbit = (x * vy - y * vx) / r**2
+    spin = np.array([(x * wx + y * wy) / r, (x * wy - y * wx) / r, wz])
+    return np.array([orbit / np.abs(orbit).max(), *(spin / np.abs(spin).max())])
+
+
+@pytest.mark.parametrize(
+    "scene", [PRELOAD, THRUST, SLOWER, FASTER], ids=["preload", "7205B", "7208", "7206B"]
+)
+def test_ball_passes_repeat_within_the_error_of_a_multiplier(scene, tmp_path):
+    """When nothing is left of a disturbance, the speeds at the ends of ball passes repeat within
+    1e-6, which the search assumes as the error of a value of its map."""
+    succeed(DECK, out=tmp_path, settle="orbit", samples=20, **{**scene, "passes": 40})
+    run = raceway.open(tmp_path)
+    ends = speeds(run.balls)[:, ::20]
+    order = np.argsort(np.arctan2(run.balls["y"][0], run.balls["x"][0]).to_numpy())
+    # after each ball pass, a ball is where its neighbour was
+    later = np.array([np.roll(ends[:, k][:, order], k, axis=1) for k in range(30, 41)])
+    changes = np.diff(later, axis=0)
+    assert np.sqrt((changes**2).sum(axis=1).mean(axis=1)).max() < 1e-6
+
+
 LATER = """
 variable slow_x atom 0.95*vx
 variable slow_y atom 0.95*vy
@@ -212,15 +258,8 @@ def decays(folder, largest):
     """Return by which factors the changes of the mean speeds of the balls decrease from one ball
     pass to the next, while the relative changes of their spins are between `largest` and 2e-5;
     later changes are affected by the tolerance of the steps."""
-    balls = raceway.open(folder).balls
-    x, y, vx, vy = (balls[name].to_numpy() for name in ("x", "y", "vx", "vy"))
-    wx, wy, wz = (balls[f"omega{axis}"].to_numpy() for axis in "xyz")
-    speeds = {
-        "cage": (x * vy - y * vx) / (x**2 + y**2),
-        "radial spin": (x * wx + y * wy) / np.hypot(x, y),
-        "axial spin": wz,
-    }
-    means = {name: speed.mean(axis=1) for name, speed in speeds.items()}
+    orbit, radial, _, axial = speeds(raceway.open(folder).balls).mean(axis=2)
+    means = {"cage": orbit, "radial spin": radial, "axial spin": axial}
     steps = {name: np.diff(mean) / np.abs(mean[-1]) for name, mean in means.items()}
     spins = np.abs([steps["radial spin"], steps["axial spin"]])
     small = (spins.max(axis=0) < largest) & (spins.min(axis=0) > 2e-5)

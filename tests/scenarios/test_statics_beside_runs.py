@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 from commands import reply
 from host import ROOT, deck_file, named_bearing, run, succeed
-from raceway.runs.statics import places, statics
+from raceway.runs.statics import statics
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
+from raceway.theory.kinematics import places
 
 OIL = dict(lubricant="vg46", temperature=60)
 POINT = dict(load=3000, axial=1500, rpm=1500, **OIL)
@@ -41,8 +42,7 @@ def test_the_point_of_the_run(tmp_path, capsys, azimuth):
     options = "--load 3000 --axial 1500 --rpm 1500 --lubricant vg46 --temperature 60"
     options += f" --moment 0 {moment} --models paper --exact-circle --json --phase"
     found_there = []
-    for place in range(places(9)):
-        phase = 2 * math.pi / 9 * place / places(9)
+    for phase in places(9).tolist():
         found_there.append(json.loads(reply(capsys, ["static", *options.split(), repr(phase)])))
 
     def mean(key):

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import raceway
 import xarray
-from host import ROOT, refuses, succeed
+from host import ROOT, succeed
 from raceway import cli, inputs
 
 SHORT = {"passes": 1, "samples": 50, "dumps": "yes"}
@@ -127,10 +127,3 @@ def test_deck_with_an_unbalanced_shaft(tmp_path):
     words = "--bearing 6208 --load 500 --clearance -20e-6".split()
     stiff = np.array(statics(*words)["stiffness"])[:2, :2].diagonal().mean()
     assert abs(whirl) == pytest.approx(force / (stiff - 4 * speed**2), rel=0.05)
-
-
-@pytest.mark.parametrize("key", sorted(set(USUAL) - {"pocket_play"}))  # this has a usual value
-def test_missing_number(tmp_path, key):
-    own = folder(tmp_path, {name: value for name, value in USUAL.items() if name != key})
-    says = f"has no variable {key}"
-    refuses("inputs/in.6208", says, out=tmp_path / "run", inputs=own, bearing="mine")

@@ -37,7 +37,7 @@ FLUID = {
 
 # variables that a bearing file can omit if it states the pitch diameter and the conformities
 RADII = ("inner_radius", "outer_radius", "inner_groove", "outer_groove")
-STEEL = {"ball_young": 210e9, "ball_poisson": 0.3}
+STEEL = {name: float(variable_table.default(name)) for name in ("ball_young", "ball_poisson")}
 
 
 class Oil(NamedTuple):
@@ -101,8 +101,7 @@ def _one_groove(path):
             raise InputError(
                 f"{path}: {side}_groove = {groove:g} m must be below {side}_radius = {raceway:g} m"
             )
-    steel = [] if "pitch_diameter" in known else ["ball_young", "ball_poisson"]
-    names = steel or [name for name in ("ball_young", "ball_poisson") if name in known]
+    names = [name for name in STEEL if name in known or "pitch_diameter" not in known]
     elastic = STEEL | numbers(path, *names)
     young, poisson = elastic["ball_young"], elastic["ball_poisson"]
     try:
@@ -136,8 +135,10 @@ def held(
 def ball_density(path: FilePath) -> float:
     """Return the density of the balls (kg/m^3) stated in a file in inputs/bearings; the default is
     the density of steel. Raises `InputError`."""
-    known = "ball_density" in values(path)
-    return numbers(path, "ball_density")["ball_density"] if known else 7800.0
+    name = "ball_density"
+    return (
+        numbers(path, name)[name] if name in values(path) else float(variable_table.default(name))
+    )
 
 
 def nominal_angle(path: FilePath) -> float:

@@ -141,6 +141,7 @@ def _number(value: Any, what: str, least: float, most: float) -> float:
     except ValueError:
         number = math.nan
     if not least <= number <= most:
+        kind = "a number without a unit, " if math.isnan(number) else ""
         said = str(value)[:100]
-        raise InputError(f"{what} is {said}, must be from {least:g} to {most:g}")
+        raise InputError(f"{what} is {said}, must be {kind}from {least:g} to {most:g}")
     return number

@@ -11,14 +11,14 @@ def prefixed(value: float, unit: str, digits: int = 4) -> str:
     """Format `value` in `unit` with `digits` significant digits and an SI prefix. For example,
     2.571e9 and "Pa" give 2.571 GPa.
 
-    No prefix is used for values without a unit or in m³/s, or for angles below 1 µrad.
+    No prefix is used for values without a unit, in degrees or in m³/s, or for angles below 1 µrad.
 
     >>> prefixed(2.571e9, "Pa"), prefixed(3.4867e-05, "m"), prefixed(1.4, "")
     ('2.571 GPa', '34.87 µm', '1.4')
-    >>> prefixed(2.22e-16, "rad"), prefixed(3e-6, "rad")
-    ('2.22e-16 rad', '3 µrad')
+    >>> prefixed(2.22e-16, "rad"), prefixed(3e-6, "rad"), prefixed(-0.54, "°")
+    ('2.22e-16 rad', '3 µrad', '-0.54 °')
     """
-    if unit in ("", "m³/s") or value == 0 or not math.isfinite(value):
+    if unit in ("", "°", "m³/s") or value == 0 or not math.isfinite(value):
         return f"{value:.{digits}g} {unit}".strip()
     value = float(f"{value:.{digits - 1}e}")  # round first, so that 999.99 m becomes 1 km
     power = _power(value)

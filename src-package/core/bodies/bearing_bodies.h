@@ -158,10 +158,14 @@ class BearingBodies {
   // except for those of flexible shafts. They are followed by all motions of each ring on a
   // flexible shaft.
   int columns = 0, straight = 0;
-  // Columns that can be nonzero, indexed by group and, if there are flexible shafts, also by
-  // column. They are all columns or, if there are flexible shafts, the columns of the bearing to
-  // which the group belongs.
-  std::vector<std::vector<int>> columns_of_group, columns_of_column;
+  // Columns of the rings that touch a group: by raceways and by cages or rails. All columns through
+  // which rings move the group include those of all groups in the same chain.
+  struct GroupColumns {
+    std::vector<int> of_raceways, of_cages, all;
+  };
+  std::vector<GroupColumns> columns_of_group;
+  // with flexible shafts, the columns that are coupled to each column
+  std::vector<std::vector<int>> columns_of_column;
   Vec3 centre;           // centre of the rotating frames
   Vec3 gravity;          // m/s^2, acts on all bodies and rings
   bool heavy = false;    // gravity is not zero
@@ -175,6 +179,7 @@ class BearingBodies {
   void add_modes(ShaftBend &);
   void find_couplings();
   void find_columns();
+  void find_coupled_columns();
   void find_cells(const std::vector<BodyPose> &);
   int states_ = 0;
 };

@@ -3,6 +3,7 @@
 #include "bearing_bodies.h"
 
 #include <algorithm>
+#include <set>
 
 namespace raceway {
 
@@ -64,10 +65,8 @@ void BearingBodies::find_border()
     std::copy(shaft.column, shaft.column + RingProgram::N_DOF, r.column);
   }
   find_couplings();
-  columns_of_group.assign(groups.size(), {});
-  for (std::vector<int> &all : columns_of_group)
-    for (int k = 0; k < columns; ++k) all.push_back(k);
-  if (!bends.empty()) find_columns();
+  find_columns();
+  if (!bends.empty()) find_coupled_columns();
 }
 
 // The supports of a flexible shaft act at its centre, which moves with the shaft and its modes.
@@ -102,8 +101,46 @@ void BearingBodies::find_couplings()
     }
 }
 
-// Finds the parts of the bearing that are connected by contacts; rings are numbered before groups.
+// Finds the columns of each group.
 void BearingBodies::find_columns()
+{
+  const int n = static_cast<int>(groups.size());
+  std::vector<std::set<int>> by_raceways(n), by_cages(n), connected(n);    // rings
+  const auto touch = [this](std::vector<std::set<int>> &by, int ring, int first, int end) {
+    for (const Carried &c : on_shafts)
+      if (c.ring == ring) ring = c.shaft;
+    for (int g = first; g < end; ++g) by[g].insert(ring);
+  };
+  for (const Track &t : tracks) touch(by_raceways, t.ring, t.first, t.end);
+  for (const RailTrack &t : rail_tracks) touch(by_cages, t.ring, t.first, t.end);
+  for (const BearingModel::Cage &c : model.cages)
+    for (int ball : c.balls) by_cages[slot[ball] / lanes].insert(c.ring);
+  std::vector<int> chain(n);
+  for (int g = 0; g < n; ++g) chain[g] = g;
+  for (const BearingModel::Pocket &p : model.pockets) {
+    const int from = chain[slot[p.a] / lanes], to = chain[slot[p.b] / lanes];
+    std::replace(chain.begin(), chain.end(), from, to);
+  }
+  for (int g = 0; g < n; ++g) {
+    connected[chain[g]].insert(by_raceways[g].begin(), by_raceways[g].end());
+    connected[chain[g]].insert(by_cages[g].begin(), by_cages[g].end());
+  }
+  const auto columns_of = [this](const std::set<int> &all) {
+    std::vector<int> found;
+    for (int ring : all)
+      for (int column : rings[ring].column)
+        if (column >= 0) found.push_back(column);
+    return found;
+  };
+  columns_of_group.clear();
+  for (int g = 0; g < n; ++g)
+    columns_of_group.push_back(
+        {columns_of(by_raceways[g]), columns_of(by_cages[g]), columns_of(connected[chain[g]])});
+}
+
+// With flexible shafts, finds the columns that can be coupled to each column: those of rings that
+// are connected by bodies, lands or shafts.
+void BearingBodies::find_coupled_columns()
 {
   const int n = static_cast<int>(rings.size());
   std::vector<int> part(n + groups.size());
@@ -131,7 +168,6 @@ void BearingBodies::find_columns()
         else columns_of_column[column] = of_part[part[k]];
       }
     }
-  for (size_t g = 0; g < groups.size(); ++g) columns_of_group[g] = of_part[part[n + g]];
 }
 
 void BearingBodies::border_forces(double s, std::vector<double> &forces)

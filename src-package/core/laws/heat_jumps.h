@@ -20,8 +20,8 @@ struct HeatPass {
 };
 
 struct HeatControl {
-  double change = 2.0;       // K, largest temperature change of a node in a jump
-  double error = 0.5;        // K, error due to the temperature dependence of the losses that is
+  double change = 0.0;       // K, largest temperature change of a node in a jump
+  double error = 0.0;        // K, error due to the temperature dependence of the losses that is
                              // allowed in a jump
   double until = 0.0;        // s, thermal time to simulate; 0: until temperatures are steady
   double steady = 0.05;      // K, temperatures count as steady if no node deviates from the steady

@@ -27,7 +27,7 @@ struct HeatNetwork {
   double seat = 0.0;                   // W/K, from the outer ring to the housing; 0: no thermal
                                        // resistance
   double housing = 0.0;                // W/K, from the housing to ambient
-  double ambient = 20.0;               // C
+  double ambient = 0.0;                // C
   OilFlow oil;
 
   int nodes() const { return capacity[3] > 0.0 ? 4 : 3; }

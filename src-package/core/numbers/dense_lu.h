@@ -3,6 +3,7 @@
 // once and used for many right-hand sides.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -24,12 +25,14 @@ class DenseLU {
     for (int k = 0; k < n_; ++k) {
       int p = k;
       for (int i = k + 1; i < n_; ++i)
-        if (std::fabs(at(i, k)) > std::fabs(at(p, k))) p = i;
+        if (std::fabs(row(i)[k]) > std::fabs(row(p)[k])) p = i;
       pivot_[k] = p;
-      for (int j = 0; p != k && j < n_; ++j) std::swap(at(k, j), at(p, j));
+      if (p != k) std::swap_ranges(row(k), row(k) + n_, row(p));
+      const double *__restrict upper = row(k);
       for (int i = k + 1; i < n_; ++i) {
-        const double f = at(i, k) /= at(k, k);
-        for (int j = k + 1; j < n_; ++j) at(i, j) -= f * at(k, j);
+        double *__restrict to = row(i);
+        const double f = to[k] /= upper[k];
+        for (int j = k + 1; j < n_; ++j) to[j] -= f * upper[j];
       }
     }
   }
@@ -38,18 +41,18 @@ class DenseLU {
   {
     for (int k = 0; k < n_; ++k) std::swap(y[k], y[pivot_[k]]);
     for (int i = 1; i < n_; ++i)
-      for (int k = 0; k < i; ++k) y[i] -= at(i, k) * y[k];
+      for (int k = 0; k < i; ++k) y[i] -= row(i)[k] * y[k];
     for (int i = n_ - 1; i >= 0; --i) {
-      for (int k = i + 1; k < n_; ++k) y[i] -= at(i, k) * y[k];
-      y[i] /= at(i, i);
+      for (int k = i + 1; k < n_; ++k) y[i] -= row(i)[k] * y[k];
+      y[i] /= row(i)[i];
     }
   }
 
   std::vector<double> a;    // stored row by row
 
  private:
-  double &at(int i, int j) { return a[static_cast<size_t>(i) * n_ + j]; }
-  double at(int i, int j) const { return a[static_cast<size_t>(i) * n_ + j]; }
+  double *row(int i) { return &a[static_cast<size_t>(i) * n_]; }
+  const double *row(int i) const { return &a[static_cast<size_t>(i) * n_]; }
   int n_ = 0;
   std::vector<int> pivot_;
 };

@@ -48,17 +48,17 @@ void Arguments::take_variables()
   if (names.empty()) fail("'vars' needs the name of a variable");
   for (const std::string &name : names) {
     const DeckVariable *const entry = find_deck_variable(name);
-    const bool ours = find_deck_variable(name, taker(command_));
     if (!entry) {
       std::string known;
-      for (const DeckVariable &v : deck_variables())
-        if (v.taken_by(taker(command_))) known += (known.empty() ? "" : ", ") + std::string(v.name);
+      for (const DeckVariable &v : variables_of(taker(command_)))
+        known += (known.empty() ? "" : ", ") + std::string(v.name);
       fail("vars '" + name + "', must be one of: " + (known.empty() ? "none" : known));
     }
     const std::optional<std::string> value = host_variable(lmp_, name);
     if (!value) continue;
     // a line whose style is given by a variable contains the words of all styles that it may select
-    if (!ours) fail("variable " + name + " belongs to " + entry->of + ": leave it out here");
+    if (!entry->taken_by(taker(command_)))
+      fail("variable " + name + " belongs to " + entry->of + ": leave it out here");
     words_.push_back(name);
     std::istringstream in(*value);
     for (std::string word; in >> std::quoted(word);) words_.push_back(word);
@@ -74,6 +74,13 @@ std::string Arguments::value_of(const char *variable)
 }
 
 double Arguments::number_of(const char *variable) { return std::atof(value_of(variable).c_str()); }
+
+bool Arguments::variable_of(const std::string &of, std::map<std::string, std::string> &to)
+{
+  for (const DeckVariable &v : variables_of(of))
+    if (take(v.name)) return set(to[v.name], value_of(v.name));
+  return false;
+}
 
 Arguments::Arguments(LAMMPS *lmp, const std::string &command,
                      const std::vector<std::string> &words) :

@@ -3,6 +3,7 @@
 // an error that states the command, the value and the allowed range.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -83,7 +84,13 @@ class Arguments {
     return take(keyword) && set(to, choice(keyword, {"no", "yes"}) == 1);
   }
   bool variable(const char *name, double &to) { return take(name) && set(to, number_of(name)); }
+  bool variable(const char *name, int &to)
+  {
+    return take(name) && set(to, static_cast<int>(number_of(name)));
+  }
   bool variable(const char *name, std::string &to) { return take(name) && set(to, value_of(name)); }
+  // Reads any of the variables that belong to `of` in the table of variables.
+  bool variable_of(const std::string &of, std::map<std::string, std::string> &to);
   void skip_rest() { next_ = words_.size(); }
   // Stops with an error: the next word is none of the keywords that take() has looked for there, or
   // none of the `allowed` ones.

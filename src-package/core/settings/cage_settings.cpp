@@ -15,15 +15,10 @@ void CageSettings::read_guide(Arguments &args)
   of.land.clearance = args.positive("radial clearance of the cage on its land (m)");
   of.land.width = args.positive("width of a land (m)");
   of.land.lands = args.integer("number of lands", 1, 2);
-  if (of.land.clearance > 0.1 * of.land.radius)
-    args.fail("the clearance of the cage on its land, " + text(of.land.clearance) +
-              " m, must be at most a tenth of the land's radius, " + text(of.land.radius) + " m");
 }
 
 void CageSettings::read(Arguments &args)
 {
-  double across = -1.0, play = -1.0;
-  bool planar = false, shaped = false;
   while (args.more()) {
     if (args.integer("pockets", of.pockets, "number of pockets", 1, 100000) ||
         args.non_negative("play", play, "play along the pitch circle (m)") ||
@@ -37,8 +32,7 @@ void CageSettings::read(Arguments &args)
         args.yes("planar", planar))
       continue;
     if (args.take("shape")) {
-      of.spherical = args.choice("shape", {"cylinder", "sphere"}) == 1;
-      shaped = true;
+      shape = args.choice("shape", {"cylinder", "sphere"});
     } else if (args.take("inertia")) {
       program.inertia = read_inertia(args);
     } else if (args.within("young", young[0], "Young's modulus of the balls (Pa)",
@@ -60,12 +54,21 @@ void CageSettings::read(Arguments &args)
       args.unknown();
     }
   }
+  finish(args);
+}
+
+void CageSettings::finish(const Arguments &args)
+{
   if (of.pockets == 0) args.fail("'pockets Z' is missing");
   if (play < 0.0) args.fail("'play J' is missing");
   if (of.mass == 0.0 || program.inertia.axial == 0.0)
     args.fail("'mass M' or 'inertia AXIAL TRANSVERSE' is missing");
+  const bool guided = of.guide != CageRing::by_balls;
+  if (guided && of.land.clearance > 0.1 * of.land.radius)
+    args.fail("the clearance of the cage on its land, " + text(of.land.clearance) +
+              " m, must be at most a tenth of the land's radius, " + text(of.land.radius) + " m");
   // balls can hold a cage radially only if its pockets wrap around them
-  if (!shaped) of.spherical = of.guide == CageRing::by_balls;
+  of.spherical = shape < 0 ? !guided : shape == 1;
   of.along = 0.5 * play;
   of.across = across < 0.0 ? of.along : 0.5 * across;
   if (height > 0.0 && of.along == 0.0)

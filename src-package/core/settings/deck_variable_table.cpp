@@ -189,21 +189,17 @@ const std::vector<DeckVariable> &deck_variables()
       {"inner_groove", "", "m", "5.0e-5 10", "bearing data", "radius of the inner groove"},
       {"outer_groove", "", "m", "5.0e-5 10", "bearing data", "radius of the outer groove"},
       {"cage_ball_diameter", "", "m", "1.0e-5 0.3", "bearing data", "diameter of a cage ball"},
-      {"ball_young", "", "Pa", "1.0e8 1.0e13", "bearing data",
-       "Young's modulus of balls and rings"},
-      {"ball_poisson", "", "", "0 0.5", "bearing data", "Poisson's ratio of balls and rings"},
-      {"ball_density", "", "kg/m^3", "100 3.0e4", "bearing data", "density of the balls"},
+      {"ball_young", "210e9", "Pa", "1.0e8 1.0e13", "usual data|bearing data",
+       "Young's modulus of balls and rings; the default is that of bearing steel"},
+      {"ball_poisson", "0.3", "", "0 0.5", "usual data|bearing data",
+       "Poisson's ratio of balls and rings; the default is that of bearing steel"},
+      {"ball_density", "7800", "kg/m^3", "100 3.0e4", "usual data|bearing data",
+       "density of the balls; the default is that of bearing steel"},
       {"inner_mass", "", "kg", "1.0e-7 1.0e5", "bearing data", "mass of the inner ring"},
       {"inner_inertia", "", "kg m^2", "1.0e-15 1.0e6", "bearing data",
        "inertia of the inner ring about its axis"},
       {"inner_inertia_t", "", "kg m^2", "1.0e-15 1.0e6", "bearing data",
        "inertia of the inner ring across its axis"},
-      {"ball_young", "210e9", "Pa", "", "usual data",
-       "Young's modulus; the default is that of bearing steel"},
-      {"ball_poisson", "0.3", "", "", "usual data",
-       "Poisson's ratio; the default is that of bearing steel"},
-      {"ball_density", "7800", "kg/m^3", "", "usual data",
-       "density; the default is that of bearing steel"},
       {"pitch_diameter", "", "m", "1.0e-3 20", "usual data",
        "diameter of the circle through the balls' centres"},
       {"inner_conformity", "", "", "0.5 10", "usual data",
@@ -279,6 +275,11 @@ bool DeckVariable::taken_by(const std::string &command) const
   return false;
 }
 
+bool DeckVariable::needed_by(const std::string &kind) const
+{
+  return !*initial || std::string_view(of).substr(0, kind.size()) != kind;
+}
+
 bool DeckVariable::of_data() const
 {
   for (const char *kind :
@@ -294,10 +295,22 @@ bool DeckVariable::taken_by_models(const std::string &name) const
 
 bool DeckVariable::of_one_deck() const { return std::string(of).compare(0, 3, "in.") == 0; }
 
-const DeckVariable *find_deck_variable(const std::string &name, const std::string &of)
+std::vector<DeckVariable> variables_of(const std::string &of)
+{
+  std::vector<DeckVariable> found;
+  for (const DeckVariable &v : deck_variables())
+    if (v.taken_by(of)) found.push_back(v);
+  return found;
+}
+
+std::string usual_word(const std::string &name) { return find_deck_variable(name)->initial; }
+
+double usual_number(const std::string &name) { return std::stod(usual_word(name)); }
+
+const DeckVariable *find_deck_variable(const std::string &name)
 {
   for (const DeckVariable &v : deck_variables())
-    if (v.name == name && (of.empty() || v.taken_by(of))) return &v;
+    if (v.name == name) return &v;
   return nullptr;
 }
 

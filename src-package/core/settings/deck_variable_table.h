@@ -16,7 +16,7 @@ struct DeckVariable {
                           // data
   const char *unit;       // "" for a word, a count or a ratio
   const char *range;      // "LO HI", "LO HI whole", "LO HI or V", "one_of A B ...", or "" for any
-  const char *of;         // commands and styles that accept it, a kind of data, or a single deck
+  const char *of;         // commands and styles that accept it, kinds of data, or a single deck
   const char *meaning;
   // for a constant of an oil, the models that use it (`file` for a file of keywords), or "" for all
   // models
@@ -24,13 +24,22 @@ struct DeckVariable {
 
   std::string label() const;    // name and unit, for messages
   bool taken_by(const std::string &command) const;
+  // Returns true if the data of a kind must include the variable: if it has no default, or if that
+  // is the default of another kind, which stands first in `of`.
+  bool needed_by(const std::string &kind) const;
   bool of_one_deck() const;    // `of` is the file name of that deck
   bool of_data() const;        // the variable is part of a bearing's or an oil's data file
   bool taken_by_models(const std::string &) const;
 };
 
 const std::vector<DeckVariable> &deck_variables();
-const DeckVariable *find_deck_variable(const std::string &name, const std::string &of = "");
+// Returns the variables that belong to a command, a style, a kind of data or a deck.
+std::vector<DeckVariable> variables_of(const std::string &of);
+const DeckVariable *find_deck_variable(const std::string &name);
+
+// Return the default of a variable. For a number, it must have one.
+double usual_number(const std::string &name);
+std::string usual_word(const std::string &name);
 
 // Returns a message if a data file contains a name that is not a variable, but differs by only one
 // or two letters from a variable that is missing in the file and whose default would therefore be

@@ -4,6 +4,8 @@
 // the host.
 #pragma once
 
+#include "deck_variable_table.h"
+
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -20,12 +22,13 @@ typedef std::map<std::string, std::string> OilWords;    // maps the name of each
                                                         // as text
 
 struct ModelChoice {
-  std::string models = "full";     // paper, film, full, eyring or none
-  std::string without = "none";    // parts to leave out, joined by +
-  std::string gap_film = "power", inlet_shear = "murch", spin_law = "closed";
-  std::string lubrication = "bath";    // kind of lubrication (core/laws/lubrication.h)
-  double oil_level = 0.5;              // level of an oil bath above the lowest raceway, in ball
-                                       // diameters
+  std::string models = usual_word("models");      // paper, film, full, eyring or none
+  std::string without = usual_word("without");    // parts to leave out, joined by +
+  std::string gap_film = usual_word("gap_film"), inlet_shear = usual_word("inlet_shear"),
+              spin_law = usual_word("spin_law");
+  std::string lubrication = usual_word("lubrication");    // kind (core/laws/lubrication.h)
+  double oil_level = usual_number("oil_level");    // level of an oil bath above the lowest raceway,
+                                                   // in ball diameters
 };
 
 // Bearing to which a ModelChoice is applied: the radii of the pitch circle and the balls (m), the

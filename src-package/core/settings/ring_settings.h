@@ -4,6 +4,7 @@
 
 #include "../bodies/ring_program.h"
 #include "../numbers/lab_axes.h"
+#include "deck_variable_table.h"
 #include "driven_value.h"
 
 #include <cmath>
@@ -67,8 +68,10 @@ class RingWords {
   int number_[3];    // indices of the axes of the lab frame, of which the third is the bearing axis
   // free_loaded_: `free loaded` was given, which frees the degrees of freedom that carry a load
   bool free_loaded_ = false, loads_ = false, springs_ = false;
-  double load_ = 0.0, azimuth_ = -0.5 * 3.14159265358979323846, axial_ = 0.0;          // N, rad, N
-  double housing_mass_ = 2.0, housing_frequency_ = 4000.0, housing_damping_ = 0.04;    // kg, Hz
+  double load_ = 0.0, azimuth_ = usual_number("load_azimuth"), axial_ = 0.0;    // N, rad, N
+  double housing_mass_ = usual_number("housing_mass");                          // kg
+  double housing_frequency_ = usual_number("housing_frequency");                // Hz
+  double housing_damping_ = usual_number("housing_damping");
 };
 
 }    // namespace bearing

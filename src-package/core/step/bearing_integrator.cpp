@@ -128,7 +128,7 @@ bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Out
     stage.close_cage = set.newton / cage_counts;
   }
   if (!move(h, s, set.dampers_only)) return failed(o, Failure::turned_too_far).solved();
-  stage.keep = set.estimate && system_.keeps();
+  stage.keep = set.estimate;
   const int most = stage.keep ? 3 * set.corrections : set.corrections;
   for (int n = 1; n <= most && evaluated < set.corrections; ++n) {
     stage.evaluate = fresh ? Evaluate::derivatives : Evaluate::residual;

@@ -24,9 +24,27 @@ void BearingSystem::resize()
   motions_ = motions_apart_.data();
 }
 
+// Sets the columns B to 0, and the rows C of cages or of all rings, if they have been filled.
+RACEWAY_LANES void BearingSystem::clear(bool only_cages)
+{
+  const size_t nf = b_.columns;
+  for (size_t k = 0; k < b_.groups.size(); ++k) {
+    if (!b_.groups[k].coupled) continue;
+    const int n = b_.groups[k].spins ? 6 : 3;
+    const BearingBodies::GroupColumns &columns = b_.columns_of_group[k];
+    for (int f : columns.all) std::fill_n(B_[k * nf + f].a, n, Lane{});
+    for (int f : columns.of_cages) std::fill_n(C_[k * nf + f].a, n, Lane{});
+    if (only_cages) continue;
+    for (int f : columns.of_raceways) std::fill_n(C_[k * nf + f].a, n, Lane{});
+  }
+}
+
 RACEWAY_LANES void BearingSystem::start(double h, bool fresh)
 {
-  if (fresh) resize();
+  if (fresh) {
+    resize();
+    clear(false);
+  }
   for (BodyGroup &g : b_.groups) {
     const Lane rate = g.v.y / g.now.r;
     Vec3L free_fall = frame_acceleration(rate, g.v);
@@ -46,8 +64,6 @@ RACEWAY_LANES void BearingSystem::start(double h, bool fresh)
   }
   if (!fresh) return;
   for (RingBody &r : b_.rings) r.spring = 0.0;
-  for (Column &c : B_) c = Column();
-  for (Column &c : C_) c = Column();
   std::fill(border_.a.begin(), border_.a.end(), 0.0);
   std::fill(corner_apart_.begin(), corner_apart_.end(), 0.0);
 }
@@ -70,7 +86,9 @@ void BearingSystem::add_border(double h, double follows, double s, bool fresh)
 
 void BearingSystem::keep(bool fresh)
 {
+  const size_t nf = columns();
   kept_.groups.resize(b_.groups.size());
+  kept_.B.resize(B_.size());
   for (size_t k = 0; k < b_.groups.size(); ++k) {
     const BodyGroup &g = b_.groups[k];
     KeptGroup &to = kept_.groups[k];
@@ -78,6 +96,8 @@ void BearingSystem::keep(bool fresh)
     if (!fresh) continue;
     std::copy(g.A, g.A + 36, to.A);
     to.coupled = g.coupled;
+    if (!g.coupled) continue;
+    for (int f : b_.columns_of_group[k].of_raceways) kept_.B[k * nf + f] = B_[k * nf + f];
   }
   kept_.y.assign(columns(), 0.0);
   kept_.pushes.clear();
@@ -86,14 +106,13 @@ void BearingSystem::keep(bool fresh)
     kept_.pushes.push_back(r.moment_lanes);
   }
   if (!fresh) return;
-  kept_.B = B_;
-  kept_.C = C_;
   kept_.corner.assign(corner_, corner_ + columns() * columns());
 }
 
 RACEWAY_LANES void BearingSystem::restore()
 {
   const int nf = columns();
+  clear(true);
   for (size_t k = 0; k < b_.groups.size(); ++k) {
     BodyGroup &g = b_.groups[k];
     KeptGroup &from = kept_.groups[k];
@@ -101,13 +120,14 @@ RACEWAY_LANES void BearingSystem::restore()
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) from.rhs[i] -= from.A[6 * i + j] * g.rhs[j];
     if (from.coupled)
-      for (int f : b_.columns_of_group[k]) {
+      for (int f : b_.columns_of_group[k].of_raceways) {
         Lane s = {};
         for (int i = 0; i < n; ++i) {
           from.rhs[i] -= kept_.B[k * nf + f].a[i] * motions_[f];
-          s += kept_.C[k * nf + f].a[i] * g.rhs[i];
+          s += C_[k * nf + f].a[i] * g.rhs[i];
         }
         kept_.y[f] -= sum(where(g.used, s, 0.0));
+        B_[k * nf + f] = kept_.B[k * nf + f];
       }
     std::copy(from.A, from.A + 36, g.A);
     std::copy(from.rhs, from.rhs + 6, g.rhs);
@@ -116,9 +136,8 @@ RACEWAY_LANES void BearingSystem::restore()
   }
   for (int i = 0; i < nf; ++i)
     for (int j = 0; j < nf; ++j) kept_.y[i] -= kept_.corner[i * nf + j] * motions_[j];
-  B_ = kept_.B;
-  C_ = kept_.C;
   std::copy(kept_.corner.begin(), kept_.corner.end(), corner_);
+  if (corner_ != border_.a.data()) std::fill(border_.a.begin(), border_.a.end(), 0.0);
   auto push = kept_.pushes.begin();
   for (RingBody &r : b_.rings) {
     r.force_lanes = *push++;
@@ -128,7 +147,9 @@ RACEWAY_LANES void BearingSystem::restore()
 
 void BearingSystem::add_kept()
 {
-  for (int k = 0; k < columns(); ++k) y_[k] += kept_.y[k];
+  if (!b_.bends.empty()) lift_.add_forces(kept_.y, y_);
+  else
+    for (int k = 0; k < columns(); ++k) y_[k] += kept_.y[k];
 }
 
 void BearingSystem::add_coupling(const Coupling &c, double h, double follows)
@@ -186,7 +207,7 @@ RACEWAY_LANES void BearingSystem::factor_groups()
     if (g.spins) raceway::factor<6>(g.A);
     else raceway::factor<3>(g.A);
     if (g.coupled)
-      for (int f : b_.columns_of_group[k]) {
+      for (int f : b_.columns_of_group[k].all) {
         if (g.spins) substitute<6>(g.A, B_[k * nf + f].a);
         else substitute<3>(g.A, B_[k * nf + f].a);
       }
@@ -198,6 +219,22 @@ RACEWAY_LANES void BearingSystem::factor_groups()
   }
 }
 
+// Subtracts C B of a group from D, for a row i of C. B begins with the first column of the group;
+// each body has n velocities. The row of D has as many elements as there are columns.
+template <int n>
+static RACEWAY_INLINE void condense(const Lane *C, const BearingSystem::Column *B,
+                                    const std::vector<int> &columns, const LaneMask &used,
+                                    double *D)
+{
+  Lane c[n];
+  for (int m = 0; m < n; ++m) c[m] = where(used, C[m], 0.0);
+  for (int j : columns) {
+    Lane s = c[0] * B[j].a[0];
+    for (int m = 1; m < n; ++m) s += c[m] * B[j].a[m];
+    D[j] -= sum(s);
+  }
+}
+
 // Eliminates the bodies from the border after B has been condensed with their blocks and links.
 RACEWAY_LANES void BearingSystem::condense_groups()
 {
@@ -205,12 +242,12 @@ RACEWAY_LANES void BearingSystem::condense_groups()
   for (size_t k = 0; k < b_.groups.size(); ++k) {
     const BodyGroup &g = b_.groups[k];
     if (!g.coupled) continue;
-    const int n = g.spins ? 6 : 3;
-    for (int i : b_.columns_of_group[k])
-      for (int j : b_.columns_of_group[k]) {
-        Lane s = {};
-        for (int m = 0; m < n; ++m) s += C_[k * nf + i].a[m] * B_[k * nf + j].a[m];
-        D(i, j) -= sum(where(g.used, s, 0.0));
+    const BearingBodies::GroupColumns &columns = b_.columns_of_group[k];
+    for (const std::vector<int> *rows : {&columns.of_raceways, &columns.of_cages})
+      for (int i : *rows) {
+        const Lane *C = C_[k * nf + i].a;
+        if (g.spins) condense<6>(C, &B_[k * nf], columns.all, g.used, corner_ + i * nf);
+        else condense<3>(C, &B_[k * nf], columns.all, g.used, corner_ + i * nf);
       }
   }
 }
@@ -292,11 +329,13 @@ RACEWAY_LANES void BearingSystem::solve()
     const BodyGroup &g = b_.groups[k];
     if (!g.coupled) continue;
     const int n = g.spins ? 6 : 3;
-    for (int i : b_.columns_of_group[k]) {
-      Lane s = {};
-      for (int m = 0; m < n; ++m) s += C_[k * nf + i].a[m] * g.rhs[m];
-      motions_[i] -= sum(where(g.used, s, 0.0));
-    }
+    const BearingBodies::GroupColumns &columns = b_.columns_of_group[k];
+    for (const std::vector<int> *rows : {&columns.of_raceways, &columns.of_cages})
+      for (int i : *rows) {
+        Lane s = {};
+        for (int m = 0; m < n; ++m) s += C_[k * nf + i].a[m] * g.rhs[m];
+        motions_[i] -= sum(where(g.used, s, 0.0));
+      }
   }
   if (!b_.bends.empty()) lift_.add_forces(motions_apart_, y_);
   border_.solve(y_.data());
@@ -305,7 +344,7 @@ RACEWAY_LANES void BearingSystem::solve()
     BodyGroup &g = b_.groups[k];
     if (!g.coupled) continue;
     const int n = g.spins ? 6 : 3;
-    for (int f : b_.columns_of_group[k])
+    for (int f : b_.columns_of_group[k].all)
       for (int m = 0; m < n; ++m) g.rhs[m] -= B_[k * nf + f].a[m] * motions_[f];
   }
 }

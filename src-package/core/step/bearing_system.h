@@ -39,10 +39,9 @@ class BearingSystem {
   // inertia, without the contributions of cages and supports.
   void keep(bool fresh);
   // Restores the residuals and the matrix. The residuals are updated to first order for the
-  // corrections made since keep(). This is not available with a flexible shaft.
+  // corrections made since keep().
   void restore();
   void add_kept();    // adds the kept right-hand sides of the border; called after add_border()
-  bool keeps() const { return b_.bends.empty(); }
   void factor();
   void solve();    // afterwards the corrections are in BodyGroup::rhs and y()
   void halve()     // halves the corrections of the border
@@ -64,6 +63,7 @@ class BearingSystem {
 
  private:
   void resize();
+  void clear(bool only_cages);
   void add_coupling(const Coupling &, double h, double follows);
   void add_spins(double h, bool fresh);
   void factor_groups();
@@ -86,7 +86,7 @@ class BearingSystem {
   };
   struct {
     std::vector<KeptGroup> groups;
-    std::vector<Column> B, C;
+    std::vector<Column> B;
     std::vector<double> corner, y;
     std::vector<Vec3L> pushes;    // force and moment on each ring
   } kept_;

@@ -134,6 +134,7 @@ def _write(arguments):
     text = inputs.text(catalogue.find("bearings", arguments.words[0], arguments.inputs))
     files.folder(path.parent)
     files.text(path, text)
+    print(path)
 
 
 def _clearances(row):

@@ -20,10 +20,10 @@ if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
 HELP = "find clearance, thrust, oil temperature and cooling from measured values"
 DESCRIPTION = """\
 Finds the state of a real bearing from readings. A reading is a line in orders of the shaft speed
-(FTF, BPFO, BPFI, BSF), a capacitance of the contacts in F, a temperature in degrees C, or a
-recording in which lines are found. Each reading has a standard deviation, `within`, and an
-operating point. A least-squares fit of statics, films and friction determines the `unknown`
-quantities within the given ranges.
+(FTF, BPFO, BPFI, BSF), the capacitance of the contacts in F (mean over a ball pass), a temperature
+in degrees C, or a recording in which lines are found. Each reading has a standard deviation,
+`within`, and an operating point. A least-squares fit of statics, films and friction determines the
+`unknown` quantities within the given ranges.
 
 A table of lines (--lines) can be given instead of FILE. The unknowns are then clearance and thrust,
 and also load and oil temperature unless they are given.
@@ -217,7 +217,7 @@ def _word(path, kind):
 
 def text(given: "Readings", found: "Found") -> str:
     """Return the result as text."""
-    from raceway.recordings.readings import STATE
+    from raceway.recordings.readings import STATE, UNITS
 
     rows = [f"{given.bearing.name}, {given.lubricant.name}, models {given.models}", ""]
     rows.append(f"  {'unknown':<24}{'best':>12}{'95 % from':>14}{'to':>12}")
@@ -232,10 +232,15 @@ def text(given: "Readings", found: "Found") -> str:
         if one:
             cells = [shown.format(unit * value) for value in (one.best, one.low, one.high)]
             rows.append(f"  {name:<24}{cells[0]:>12}{cells[1]:>14}{cells[2]:>12}")
-    rows += ["", f"  {'reading':<24}{'read':>12}{'+-':>12}{'predicted':>12}{'off by':>10}"]
+    rows += ["", f"  {'reading':<24}{'read':>12}{'+-':>12}{'predicted':>12}{'off by (+-)':>13}"]
     for one, value, rest in zip(given.readings, found.predicted, found.residuals):
-        row = f"  {f'{one.quantity} at {one.point.rpm:.5g} rpm':<24}{one.value:>12.6g}"
-        rows.append(f"{row}{one.within:>12.2g}{value:>12.6g}{round(rest, 2) + 0.0:>+10.2f}")
+        unit = UNITS.get(one.quantity)
+        cells = [
+            _shown(number, unit, digits) if unit else f"{number:.{digits}g}"
+            for number, digits in ((one.value, 6), (one.within, 2), (float(value), 6))
+        ]
+        row = f"  {f'{one.quantity} at {one.point.rpm:.5g} rpm':<24}"
+        rows.append(f"{row}{''.join(f'{c:>12}' for c in cells)}{round(rest, 2) + 0.0:>+13.2f}")
     rows += _remarks(given, found)
     return "\n".join([*rows, "", f"  {deck(given, found)}"])
 
@@ -259,12 +264,15 @@ def _remarks(given, found) -> Sequence[str]:
         ]
         rows.append("uncertainty. A reading, a known value or the model is wrong.")
     if found.idle and given.models != "paper":
-        rows += ["", f"Up to {found.idle} balls are unloaded: the pocket play changes the"]
-        rows.append("cage's speed by an unknown amount, included in the uncertainty of the lines.")
+        rows += [
+            "",
+            f"Up to {found.idle} balls are unloaded, so the pocket play changes the cage speed",
+        ]
+        rows.append("by an unknown amount, which is included in the uncertainty of the lines.")
     return rows
 
 
-def _shown(value, unit):
+def _shown(value, unit, digits=4):
     if unit == "C":
-        return f"{value:.4g} °C"
-    return prefixed(value, unit, 4) if math.isfinite(value) else "-"
+        return f"{value:.{digits}g} °C"
+    return prefixed(value, unit, digits) if math.isfinite(value) else "-"

@@ -15,8 +15,8 @@ Draws a picture of a run as a PNG file:
   waterfall  capacitance of every ball as a function of azimuth and time
   bearing    rings, balls and cage at the time of the largest load
              (`raceway animate` shows them in motion)
-  motion     orbit of the inner ring, its displacement, tilt and the moment that opposes its spin;
-             force on the cage; orbit and pockets of a cage ring
+  motion     orbit, displacement and tilt of the inner ring (of the outer ring if only that moves),
+             the moment that opposes the spin, force on the cage; orbit and pockets of a cage ring
   warming    temperatures, losses and clearance against thermal time, for fix bearing/heat"""
 EXAMPLES = """\
 examples:

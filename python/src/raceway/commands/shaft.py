@@ -270,7 +270,7 @@ def table(result: dict[str, Any]) -> str:
             f"Natural frequencies at {result['rpm']:g} rpm",
             *aligned(modes),
             "",
-            f"Critical speeds up to {FASTEST * 30 / math.pi:.2g} rpm",
+            f"Critical speeds up to {FASTEST * 30 / math.pi:.5g} rpm",
             *aligned(critical or [["none"]]),
             "",
             rigid_line(body),

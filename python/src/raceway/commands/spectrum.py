@@ -21,8 +21,8 @@ if TYPE_CHECKING:  # xarray takes longer to load than `--help` should
 HELP = "find kinematic lines (FTF, BSF, BPFO, BPFI) in the motion of a ring"
 DESCRIPTION = """\
 Computes the spectrum of one column of a ring and finds the kinematic lines in it. Simulate enough
-ball passes: -var passes 40 separates all lines except FTF. For each line, the record must be longer
-than five of its periods.
+ball passes: -var passes 40 separates all lines except FTF. The record must contain at least 5.5
+periods of a line.
 
 --envelope computes the spectrum of the signal's envelope in a band around a resonance. It shows the
 rate at which flaws excite the resonance, with the sidebands due to the shaft and the cage.

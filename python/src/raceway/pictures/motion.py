@@ -1,25 +1,32 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Plot the motion of the inner ring (orbit, displacement, tilt), the moment that opposes its spin,
-and the force on the cage; for a one-piece cage, also its orbit and the pocket forces."""
+"""Plot the motion of a ring (orbit, displacement, tilt), the moment that opposes the spin, and the
+force on the cage; for a one-piece cage, also its orbit and the pocket forces."""
+
+from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
+from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.files import FilePath
 from raceway.pictures import style
 from raceway.pictures.page import LEFT, RIGHT, against_time, finish, head, key
 from raceway.pictures.style import INK, PALETTE
+from raceway.runs import record_tables
 from raceway.runs.cage import pockets_around
 from raceway.runs.record import CAGE_RING
 from raceway.runs.tables import RunTables
+from raceway.theory.bearing import OUTER
 from raceway.units import axis, prefixed
 
 
 def motion(tables: RunTables, path: FilePath) -> None:
-    """Plot the motion of the inner ring in the run `tables` and write the plot to the PNG file
-    `path`. The panels show the orbit of its centre, its displacement and tilt, the moment that
-    opposes its spin, and the largest force on the cage against time. For a one-piece cage, they
-    also show the orbit of the cage and the forces of the balls on their pockets against azimuth.
+    """Plot the motion of the inner ring in the run `tables`, or of the outer ring if only that
+    moves, and write the plot to the PNG file `path`. The panels show the orbit of its centre, its
+    displacement and tilt, the moment that opposes the spin of the inner ring relative to the outer
+    ring, and the largest force on the cage against time. For a one-piece cage, they also show the
+    orbit of the cage and the forces of the balls on their pockets against azimuth.
 
     Quantities that were not recorded or did not change have no panel. Raises `RunError` if the
     run's files are invalid or do not contain a ring, or if the picture cannot be written.
@@ -27,9 +34,11 @@ def motion(tables: RunTables, path: FilePath) -> None:
     rings = tables.rings
     if not len(rings):
         raise RunError(f"{tables.record.path} has no sample of the inner ring")
-    panels = [_orbit, _displacement]
-    if {"tilt_1", "tilt_2"} <= set(rings) and rings[["tilt_1", "tilt_2"]].to_numpy().any():
-        panels.append(_tilt)
+    name, ring = moving_ring(tables)
+    panels: list[Callable[..., None]] = [partial(_orbit, ring=ring)]
+    panels.append(partial(_displacement, ring=ring))
+    if any(ring[tilt].any() for tilt in ("tilt_1", "tilt_2") if tilt in ring):
+        panels.append(partial(_tilt, ring=ring))
     if {"mz", "spin"} <= set(rings):
         panels.append(_torque)
     if np.isfinite(tables.totals.get("cage_force", np.nan)).any():
@@ -49,14 +58,24 @@ def motion(tables: RunTables, path: FilePath) -> None:
             hspace=0.36,
             wspace=0.24,
         )
-        head(figure, tables, "inner ring, displacement from the initial position")
+        head(figure, tables, f"{name} ring, displacement from the initial position")
         for place, panel in zip(grid, panels):
             panel(figure.add_subplot(place), tables)
 
 
-def _orbit(axes, tables):
-    x, y = (tables.rings[name].to_numpy() for name in "xy")
-    _path(axes, x, y, "Orbit of the centre")
+def moving_ring(tables: RunTables) -> tuple[str, dict[str, Floats]]:
+    """Return the name and the columns of the inner ring or, if only the outer ring moves, of the
+    outer ring."""
+    inner = tables.ring_columns
+    if not any(inner[axis].any() for axis in "xyz"):
+        outer = record_tables.rings(tables.record, tables.first, tables.last, OUTER)
+        if any(outer[axis].any() for axis in "xyz"):
+            return "outer", outer
+    return "inner", inner
+
+
+def _orbit(axes, tables, ring):
+    _path(axes, ring["x"], ring["y"], "Orbit of the centre")
 
 
 def _cage_orbit(axes, tables):
@@ -88,15 +107,13 @@ def _path(axes, x, y, title):
     finish(axes, f"{title} about {where}", None, [])
 
 
-def _displacement(axes, tables):
-    _lines(axes, tables, {name: tables.rings[name] for name in "xyz" if name in tables.rings}, "m")
+def _displacement(axes, tables, ring):
+    _lines(axes, tables, {name: ring[name] for name in "xyz"}, "m")
     axes.set_title("Displacement", pad=10)
 
 
-def _tilt(axes, tables):
-    _lines(
-        axes, tables, {"about x": tables.rings["tilt_1"], "about y": tables.rings["tilt_2"]}, "rad"
-    )
+def _tilt(axes, tables, ring):
+    _lines(axes, tables, {"about x": ring["tilt_1"], "about y": ring["tilt_2"]}, "rad")
     axes.set_title("Tilt", pad=10)
 
 

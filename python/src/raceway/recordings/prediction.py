@@ -3,6 +3,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -12,6 +13,7 @@ from raceway.arrays import Floats
 from raceway.recordings.readings import Point, Reading, Readings
 from raceway.theory import cage_speed
 from raceway.theory.heat_scene import Scene
+from raceway.theory.kinematics import places
 from raceway.theory.static import STRAIGHT, Equilibrium
 
 NO_LAG = 0.0, 0.0
@@ -74,7 +76,7 @@ class Model:
             steady = self.readings.ambient + lost / state["conductance"]
             return Predicted(steady, 0.0, NO_LAG, idle, angle)
         if reading.quantity == "capacitance":
-            return Predicted(rest.films.total, 0.0, NO_LAG, idle, angle)
+            return Predicted(self._capacitance(scene, rest, oil), 0.0, NO_LAG, idle, angle)
         of = self.bearing, rest.state, self.readings.models
         if reading.quantity == "BSF":
             spin = cage_speed.ball_order(*of)
@@ -83,6 +85,21 @@ class Model:
         plays = self.readings.models != "paper"
         lag = cage_speed.lags(self.bearing, rest.state) if plays else NO_LAG
         return self._line(reading.quantity, cage, angle, lag, idle)
+
+    def _capacitance(self, scene, rest, oil):
+        """Return the mean over a ball pass in F, because the capacitance ripples as balls enter and
+        leave the load zone of a radial load."""
+        if scene.load == 0:
+            return rest.films.total
+        phases = places(self.bearing.balls)
+        # the second half of the ball pass mirrors the first at the load line
+        _, *others, middle = phases[: len(phases) // 2 + 1].tolist()
+        weights = {0.0: 1, **dict.fromkeys(others, 2), middle: 1}
+        found = [rest.films.total]
+        for phase in (*others, middle):
+            placed = replace(scene, phase=phase)
+            found.append(placed.rest(oil, rest.clearance).films.total)
+        return float(np.average(found, weights=list(weights.values())))
 
     def _line(self, name, cage, angle, lag, idle):
         balls = self.bearing.balls

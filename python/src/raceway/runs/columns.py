@@ -46,6 +46,11 @@ RING = {
     # not contained in a file, but computed in Python
     "shift": Column("displacement of the inner ring along the load", "m"),
 }
+# motion of a cage that is a ring
+CAGE = {
+    name: _RING[name]._replace(meaning=_RING[name].meaning.replace("the ring", "the cage"))
+    for name in "x y z vx vy vz spin angle tilt_1 tilt_2".split()
+}
 HEAT = _table(_TABLES["fix_heat"])  # columns of fix bearing/heat and its file
 BEARING = {
     **_table(_TABLES["total"]),

@@ -14,6 +14,7 @@ from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs.columns import ATOM
 from raceway.runs.record import CAGE_RING, Record
+from raceway.theory.bearing import INNER
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -113,17 +114,17 @@ def ring_place(record: Record, side: int, start: int, stop: int) -> list[Floats]
     return [value + at for value, at in zip(found, [*origin, 0.0, 0.0])]
 
 
-def rings(record: Record, start: int, stop: int) -> dict[str, Floats]:
+def rings(record: Record, start: int, stop: int, side: int = INNER) -> dict[str, Floats]:
     """Return columns with one value for each sample: step, time, motion of the inner ring and the
-    forces on it."""
+    forces on it. `side` selects another ring of the bearing."""
     record.need_one()
-    inner = int(np.flatnonzero(record.fixed("ring_raceway") == 0)[0])
+    ring = int(np.flatnonzero(record.fixed("ring_raceway") == side)[0])
     for axis in "xyz":
         record.variables[f"ring_{axis}"]  # raises an error if the ring is missing
     names = record.timed("ring_")
     data = record.read(["step", "time", *names], start, stop)
     columns = {"step": data["step"], "time": data["time"]}
-    columns |= {name.removeprefix("ring_"): data[name][:, inner] for name in names}
+    columns |= {name.removeprefix("ring_"): data[name][:, ring] for name in names}
     if (name := "bearing_capacitance") in record.variables:
         columns["capacitance"] = record.read([name], start, stop)[name][:, 0]
     columns["sample"] = np.arange(start, start + len(data["time"]))

@@ -12,9 +12,10 @@ from xarray.backends import BackendArray
 from xarray.core import indexing
 
 from raceway.errors import RunError
-from raceway.runs.columns import BEARING, CONTACT, RING, Column
+from raceway.runs.columns import BEARING, CAGE, CONTACT, RING, Column
 from raceway.runs.named import NamedDataset
-from raceway.runs.record_tables import MOTION
+from raceway.runs.record import CAGE_RING
+from raceway.runs.record_tables import MOTION, rings
 from raceway.runs.summary import ring_displacement
 from raceway.runs.tables import RunTables
 
@@ -146,7 +147,11 @@ class Recorded:
 
     @property
     def cage(self) -> xr.Dataset:
-        """Dataset (time, ball) of the cage balls."""
+        """Dataset (time, ball) of the cage balls of a chain, or dataset (time) of a cage ring."""
+        ring = CAGE_RING in self.record.fixed("ring_raceway")
+        if ring and (self._of_one or "cage_x" not in self._file):
+            table = rings(self.record, self.tables.first, self.tables.last, CAGE_RING)
+            return self._of_table({name: table[name] for name in CAGE}, CAGE)
         return self._atoms("cage_", "cage_ball")
 
     def _atoms(self, prefix, dimension):

@@ -123,7 +123,8 @@ class Run:
 
     @cached_property
     def cage(self) -> xr.Dataset:
-        """Dataset (time, ball) of the cage balls; `ball` is the atom number of a cage ball."""
+        """Dataset (time) of a cage ring. For a cage chain: dataset (time, ball) of its balls, where
+        `ball` is the atom number of a cage ball."""
         return Recorded(self.tables).cage
 
     @cached_property

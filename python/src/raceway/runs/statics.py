@@ -25,6 +25,7 @@ from raceway.runs.warming import heated
 from raceway.theory import models
 from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.cage_drag import CageRing
+from raceway.theory.kinematics import places
 
 # keys of the results, grouped by how they follow from the values at all positions
 MEANS = ("shift_z_m", "load_parameter", "capacitance_F", "friction_torque_N_m", "power_loss_W")
@@ -42,15 +43,6 @@ UNUSED = {
     *("pocket_play", "inner_mass", "inner_inertia", "inner_inertia_t"),
 }
 SAME = 1e-6  # relative difference below which data of the run and of the file count as equal
-
-
-def places(balls: int) -> int:
-    """Return the number of ball positions within a ball pass.
-
-    If one or two balls carry the load, the results change sharply with their positions: with four
-    positions, the mean capacitance for three balls is 3 % too small, with twelve 0.4 %.
-    """
-    return 4 if balls > 6 else 12
 
 
 class NoStatics(Exception):
@@ -75,11 +67,9 @@ def _figures(tables, run):
     from raceway.theory.operating_point import figures
 
     words, seat = _point(tables, run)
-    balls = tables.settings["balls"]
-    number = places(balls)
     found = [
-        figures(**words, phase=2 * math.pi / balls * place / number, exact_circle=True)
-        for place in range(number)
+        figures(**words, phase=phase, exact_circle=True)
+        for phase in places(int(tables.settings["balls"])).tolist()
     ]
     _same_oil(found[0], tables)
     for one in found:

@@ -18,7 +18,7 @@ from raceway.sweeps import variable_table
 INDEX = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)", re.MULTILINE)
 # patterns that find variables that a command uses if they exist, the command that reads the data of
 # a bearing, a word that ends with the value of a variable, and a deck in the same folder
-VARS = re.compile(r"^(?!\s*#)(?:[^#\n]|&\n)*?\bvars ((?:\w+[ \t]*)+)", re.MULTILINE)
+VARS = re.compile(r"^(?!\s*#)[^#\n]*?\bvars ((?:\w+[ \t]*)+)", re.MULTILINE)
 BEARING = re.compile(r"^bearing\s", re.MULTILINE)
 USED = re.compile(r"\$\{(\w+)\}$")
 DECK = re.compile(r"^include \S*?/(in\.\S+)", re.MULTILINE)
@@ -70,10 +70,15 @@ def deck_variables(deck: FilePath) -> dict[str, str]:
     return found
 
 
+def _text(path):
+    """Return the text of a deck with every command on one line."""
+    return re.sub(r"&[ \t]*\n", " ", path.read_text())
+
+
 def _add_variables(found, path):
     """Add the variables of a file to `found`."""
     try:
-        text = path.read_text()
+        text = _text(path)
     except (OSError, UnicodeDecodeError) as error:
         raise TableError(
             f"cannot read deck {path}: {getattr(error, 'strerror', None) or error}; `raceway decks"
@@ -183,9 +188,9 @@ def _passed(path):
     `NameBearing::refuse_unknown`): those after `vars`, those in the form `load ${load}` or `moment
     ${moment_x}`, those of the main deck if the deck has all of them, and the data of bearings if it
     reads them."""
-    text, names = path.read_text(), deck_variables(path)
+    text, names = _text(path), deck_variables(path)
     found = set(" ".join(VARS.findall(text)).split())
-    for line in re.sub(r"&\s*\n", " ", text).splitlines():
+    for line in text.splitlines():
         words, keyword = line.partition("#")[0].split(), "variable"
         for word in words if words[:1] != ["variable"] else ():
             if not (name := USED.search(word)):

@@ -35,6 +35,7 @@ class Choice(NamedTuple):
     without: tuple[tuple[str, str], ...]  # (variable in `JOINED`, part listed in it)
     settings: tuple[tuple[str, str], ...]  # (variable, value)
     parts: tuple[str, ...] | None  # parts that these models have; None: as in the reference
+    ring: bool = True  # False if the scene then has no cage ring
 
 
 def figures(summary: Mapping[str, Any]) -> dict[str, float]:
@@ -66,12 +67,18 @@ def choices(
     ]
 
 
+def _cage(values, lubricated):
+    """Return the kind of cage that the deck chooses for these variables."""
+    if (cage := values.get("cage")) != "auto":
+        return cage
+    balls = values.get("cage_ball_diameter") or values.get("pocket_play") or ""
+    oil = "" if lubricated else "dry"
+    return core.usual_cage(values["models"], values["integrator"], oil, balls)
+
+
 def _all_choices(lubricated, values):
-    if values.get("cage") == "auto":
-        balls = values.get("cage_ball_diameter") or values.get("pocket_play") or ""
-        oil = "" if lubricated else "dry"
-        cage = core.usual_cage(REFERENCE["models"], REFERENCE["integrator"], oil, balls)
-        values = {**values, "cage": cage}
+    own = {**values, **REFERENCE}
+    values = {**values, "cage": _cage(own, lubricated)}
     return [
         Choice(
             row["name"],
@@ -80,6 +87,7 @@ def _all_choices(lubricated, values):
             tuple((name, row[name]) for name in JOINED if name in row),
             tuple((name, str(value)) for name, value in row.get("set", {}).items()),
             tuple(row["parts"]) if "parts" in row else None,
+            _cage({**own, **row.get("set", {})}, lubricated) == "ring",
         )
         for row in _DATA["choices"]
         if (lubricated or "only" not in row)
@@ -113,7 +121,8 @@ def variables(picked: Iterable[Choice]) -> dict[str, str]:
 def sets(available: Sequence[Choice]) -> list[tuple[Choice, ...]]:
     """Return all sets of choices that a deck can run.
 
-    A set has at most one choice per group, and omits no part that its models do not have.
+    A set has at most one choice per group, and omits no part that its models or its cage do not
+    have.
     """
     groups: dict[str, list[Choice | None]] = {}
     for choice in available:
@@ -123,6 +132,9 @@ def sets(available: Sequence[Choice]) -> list[tuple[Choice, ...]]:
         picked = tuple(choice for choice in row if choice is not None)
         models = next((choice for choice in picked if choice.parts is not None), None)
         out = [part for choice in picked for name, part in choice.without if name == "without"]
+        of_ring = any(name == "cage_without" for choice in picked for name, _ in choice.without)
+        if of_ring and not all(choice.ring for choice in picked):
+            continue
         if models is None or set(out) <= set(models.parts):
             result.append(picked)
     return result

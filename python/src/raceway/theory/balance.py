@@ -89,7 +89,7 @@ class Balance:
         if self.free.any() and not size and not np.any(self.held):
             if np.all(seat.nearest(self.grooves(self.held))[0] <= self.digits):
                 raise NoEquilibrium(
-                    "without a load the position of a ring with clearance is indeterminate"
+                    "without a load the position of a ring that is not preloaded is indeterminate"
                 )
         squeeze = (5 * size / (len(self.azimuth) * self.stiffness.min())) ** (2 / 3)
         direction = loads / size if size else loads

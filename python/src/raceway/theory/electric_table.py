@@ -20,24 +20,24 @@ TOPICS = {
         row("clearance_m"),
         row("rpm"),
         row("h_c_m", "largest inner load"),
-        row("lambda", "the same"),
+        row("lambda", "largest inner load"),
         Row("surroundings", "surroundings", None),
     ),
     "Capacitance": (
         row("capacitance_F", "contact ellipses, eq 12")._replace(label="plates"),
         Row("capacitance_surroundings_F", "around the ellipses", "F", "loaded balls"),
         Row("capacitance_unloaded_F", "balls without load", "F"),
-        Row("capacitance_total_F", "bearing", "F", "all of it"),
-        Row("plates_factor", "over the plates", ""),
+        Row("capacitance_total_F", "bearing", "F", "sum"),
+        Row("plates_factor", "bearing over plates", ""),
         Row("hertz_area_m2", "Hertz area, both raceways", None),
     ),
     "Breakdown": (
         Row("threshold_V", "smallest voltage, smooth", "V", "field over h_c"),
-        Row("threshold_peaks_V", "the same, rough", "V", "over h_c - 3 sigma", "bridged"),
-        Row("threshold_azimuth_deg", "at the ball at", "°"),
+        Row("threshold_peaks_V", "smallest voltage, rough", "V", "over h_c - 3 sigma", "bridged"),
+        Row("threshold_azimuth_deg", "azimuth of that ball", "°"),
         Row("stored_energy_J", "energy of that discharge", "J", "smooth"),
-        Row("field_V_m", "largest field at the voltage", "V/m", "over h_c"),
-        Row("field_peaks_V_m", "the same, rough", "V/m", "over h_c - 3 sigma"),
+        Row("field_V_m", "largest field, smooth", "V/m", "over h_c"),
+        Row("field_peaks_V_m", "largest field, rough", "V/m", "over h_c - 3 sigma"),
         Row("metallic_contacts", "metallic contacts", "", "asperities carry 0.01"),
     ),
     "Impedance": (
@@ -49,8 +49,8 @@ TOPICS = {
     "Motor": (Row("bearing_voltage_ratio", "bearing voltage ratio", "", "two such bearings"),),
     "Film from measured capacitance": (
         Row("measured_F", "measured", "F"),
-        Row("measured_h_c_m", "central film thickness", "m", "by all capacitance"),
-        Row("measured_plates_m", "read from the plates", "m"),
+        Row("measured_h_c_m", "central film thickness", "m", "from the whole model"),
+        Row("measured_plates_m", "central film thickness", "m", "from the plates alone"),
     ),
 }
 COLUMNS = (  # columns of `curves`: key, heading, factor

@@ -83,6 +83,7 @@ class Scene:
     supply: Supply = BATH
     cage: cage_drag.CageRing | None = None
     oil_flow: CirculatingOil | None = None
+    phase: float = 0.0  # rad, azimuth of the first ball
     share: float = 1.0  # factor on the computed friction, set by `by_runs`
     # the last equilibrium and the last motion under thrust, where the next search begins
     near: Equilibrium | None = None
@@ -106,6 +107,7 @@ class Scene:
             held=self.held,
             clearance=clearance,
             ball_density=self.density,
+            phase=self.phase,
             film=film,
             near=self.near,
         )
