@@ -394,8 +394,7 @@ build/tree/lmp_raceway: FORCE
 	@python3 tests/debian_tree.py $(SANITIZE)
 
 # ---- physics for the tests, as plain functions behind a C interface ---------------------------------------
-PHYSICS_C := $(addprefix tests/physics/,physics_c.cpp law_c.cpp film_c.cpp friction_c.cpp grain_c.cpp capacitor_c.cpp \
-                                  cage_c.cpp settling_c.cpp)
+PHYSICS_C := $(wildcard tests/physics/*_c.cpp)
 build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) $(filter-out %/core_figures.o %/core_record.o %/core_settings.o,$(CORE))
 	@echo "  LINK $@"
 	@$(CXX) -shared $(filter %.o,$^) -o $@

@@ -55,17 +55,35 @@ ENVIRONMENT = dict(
 # of None leaves the value in the deck unchanged.
 QUICK = {"models": "paper", "settle": 1}
 QUICK_DECKS = [ROOT / "inputs" / name for name in ("in.6208", "in.dry", "in.preload", "in.nocage")]
-# An empty box around the origin, large enough for one 6208, with four atom types.
-BOX = """
+# the sides (m) of a box around the origin that is large enough for one 6208
+SIDES = "-0.06 0.06 -0.06 0.06 -0.06 0.06"
+
+
+def box(sides=SIDES, types=4, neighbor="2.0e-3 bin", every=1):
+    """Return the commands that create an empty box with a number of atom types."""
+    return f"""
 units si
 atom_style sphere
 atom_modify map array sort 0 0.0
 boundary f f f
 newton off
-region box block -0.06 0.06 -0.06 0.06 -0.06 0.06 units box
-create_box 4 box
-neighbor 2.0e-3 bin
-neigh_modify delay 0 every 20 check yes
+region box block {sides} units box
+create_box {types} box
+neighbor {neighbor}
+neigh_modify delay 0 every {every} check yes
+"""
+
+
+BOX = box(every=20)
+
+
+def named_bearing(name="6208", *, clearance="1.0e-5", oil="vg46 temperature 60", **space):
+    """Return the commands that describe a bearing b in an empty box `space` (see `box`)."""
+    space = {"neighbor": "${b_skin} nsq"} | space
+    return f"""
+bearing b {name} types 1 2 3 4 clearance {clearance}{box(**space)}
+pair_style bearing oil {oil} models full
+pair_coeff * * b
 """
 
 

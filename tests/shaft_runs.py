@@ -9,7 +9,7 @@ import re
 
 import numpy as np
 import xarray
-from host import deck_file, succeed
+from host import box, deck_file, succeed
 
 DECK = "tests/scenarios/in.shaft"
 TILTING = "x free y free rx free ry free spin speed"
@@ -93,15 +93,7 @@ WITHIN = dict(
 
 
 # a box with two bearings whose axes are along x, without a fix that moves them
-SMALL = """
-units si
-atom_style sphere
-atom_modify map array sort 0 0.0
-boundary f f f
-newton off
-region box block -0.03 0.23 -0.06 0.06 -0.06 0.06 units box
-create_box 4 box
-neighbor 2.0e-3 bin
+SMALL = f"""{box("-0.03 0.23 -0.06 0.06 -0.06 0.06")}
 pair_style bearing/hertz axis x friction none
 pair_coeff 1 3 inner 24.0e-3 6.552e-3
 pair_coeff 1 4 outer 37.1e-3 6.552e-3

@@ -17,7 +17,7 @@ from pathlib import Path
 
 import against
 import raceway
-from machine import csv_table, publish
+from machine import count_asked, csv_table, publish
 
 WITHIN = 5  # samples per host step
 STEP = 8.75e-4  # s; at this step, there are 200 samples per ball pass, as in the main deck
@@ -89,7 +89,8 @@ def ratios(folder, bearings, models, rounds, instructions):
     return found
 
 
-def main(rounds=5):
+def main():
+    rounds = count_asked(5)
     instructions = against.counts()
     rows = []
     for models in MODELS:
@@ -104,4 +105,4 @@ def main(rounds=5):
 
 
 if __name__ == "__main__":
-    main(*map(int, sys.argv[1:]))
+    main()

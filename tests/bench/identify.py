@@ -14,7 +14,7 @@ import numpy as np
 import pandas as pd
 import raceway
 from deck_runs import MAIN, ROOT, run_deck
-from machine import bench_file, publish
+from machine import bench_file, count_asked, publish
 from raceway import identify
 from raceway.recordings import line_table
 from raceway.recordings.readings import Point, Reading, Readings
@@ -109,7 +109,7 @@ def inside(state, found):
 
 
 def main():
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 30
+    count = count_asked(30)
     page, missed = [], False
     for title, one in (
         ("Cage speed and capacitance at three points", capacitances),

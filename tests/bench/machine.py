@@ -21,10 +21,10 @@ def bench_file(name):
     return PAGES / name
 
 
-def publish(title, text, /, **parts):
+def publish(title, text, name=None, /, **parts):
     """Print a page and, unless the command line has the word --print, write it to build/bench under
-    the name of the script. `parts` replace the names in braces in `text`; a list is joined to
-    lines. {machine} is the description of the machine."""
+    a name, by default that of the script. `parts` replace the names in braces in `text`; a list is
+    joined to lines. {machine} is the description of the machine."""
     script = Path(sys.argv[0])
     if "{machine}" in text:
         parts["machine"] = [f"- {fact}" for fact in machine()]
@@ -33,12 +33,17 @@ def publish(title, text, /, **parts):
         title,
         "=" * len(title),
         "",
-        f"Written by ``tests/bench/{script.name}``, {date.today()}.",
+        f"Written by ``tests/{script.resolve().parent.name}/{script.name}``, {date.today()}.",
     ]
     page = "\n".join([*head, "", text.format(**joined)])
     print(page)
     if "--print" not in sys.argv:
-        bench_file(f"{script.stem}.rst").write_text(page)
+        bench_file(f"{name or script.stem}.rst").write_text(page)
+
+
+def count_asked(usual):
+    """Return the number on the command line, or `usual` if there is none."""
+    return int(next((word for word in sys.argv[1:] if word != "--print"), usual))
 
 
 def spread(values, form=".3g"):

@@ -9,7 +9,6 @@ relative to the results of the same deck with a fine tolerance.
 """
 
 import statistics
-import sys
 import tempfile
 from pathlib import Path
 from typing import NamedTuple
@@ -17,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 from deck_runs import MAIN, cost, factor, run_deck
-from machine import csv_table, publish
+from machine import count_asked, csv_table, publish
 
 MODELS = ("paper", "full")
 ASKED = {47.75: 250.0, 477.5: 30.0, 9549.0: 2.0}  # {rpm: required real-time factor}
@@ -148,7 +147,7 @@ def measured(scenes, folder, rounds):
 
 def main():
     """Measure, print the results and write the page."""
-    rounds = int(sys.argv[1]) if len(sys.argv) > 1 else 5
+    rounds = count_asked(5)
     scenes = [Scene(m, rpm, i) for m in MODELS for rpm in ASKED for i in integrators(rpm)]
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name) / "run"

@@ -19,7 +19,7 @@ import time
 from pathlib import Path
 
 from deck_runs import ROOT, command, succeed
-from machine import csv_table, publish, spread
+from machine import count_asked, csv_table, publish, spread
 
 MANY = 1000
 ENVIRONMENT = dict(
@@ -257,7 +257,7 @@ def fleets(results):
 
 def main():
     """Measure, print the results and write the page."""
-    rounds = int(sys.argv[1]) if len(sys.argv) > 1 else 5
+    rounds = count_asked(5)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         results = measure(rounds, folder)

@@ -11,13 +11,12 @@ output, so that a drift in the speed of the machine affects all of them.
 """
 
 import statistics
-import sys
 from functools import partial
 from importlib.metadata import PackageNotFoundError, version
 
 import numpy as np
 import torus_stl
-from machine import publish
+from machine import count_asked, publish
 from peer_choice import ALLOWED, Peer, Setting, choose
 from peer_runs import (
     BEARING,
@@ -259,7 +258,7 @@ def measured(call):
 
 def main():
     """Measure, print the results and write the page."""
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else ROUNDS
+    count = count_asked(ROUNDS)
     (ROOT / OUT).mkdir(parents=True, exist_ok=True)
     for name, (around, across) in MESHES.items():
         for side, ring in ((INNER, "inner"), (OUTER, "outer")):

@@ -8,18 +8,46 @@ build/bench/hard_cases.rst.
 
 import sys
 import tempfile
-from datetime import date
 from pathlib import Path
 
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS))  # as pytest.ini does
 
-from bench.machine import bench_file, csv_table  # noqa: E402
+from bench.machine import bench_file, csv_table, publish  # noqa: E402
 
 from hard import harness, longrun  # noqa: E402
 from hard.harness import BOUNDS, CASES, EXPLICIT, judge, reference  # noqa: E402
 
 TARGET = bench_file("hard_cases.rst")
+PAGE = """\
+These scenes are hard to integrate; they run with :doc:`../fix_bearing_implicit` and its default
+settings, one host step per sample. The bearing is a 6208, in mineral oil unless stated otherwise.
+``tests/hard/cases.yaml`` lists the scenes, the bounds with their reasons, and the cases that miss
+their bound. Of {number} figures, {missed} are outside their bound.
+
+The figure is the largest difference in contact load over balls, raceways and samples, relative to
+the peak load, starting from the sample that the case specifies. *Whole course* is the same figure
+starting from the first sample. Remarks give the largest differences in cage speed and film.
+
+Quasi-static cases are compared with statics, transients over their whole course. A chaotic case is
+compared up to a whirl of the ring (:ref:`known-limits`), by time averages and their statistical
+errors. :doc:`hard_cases_speed` lists the speeds.
+
+{table}
+Bounds:
+
+{bounds}
+
+Deliberately large steps
+------------------------
+
+The control refines a host step that is too large, or the run stops with an error. Verlet runs
+at 30 and 100 times the step of its reference: the package must reject it, or the result must
+remain sensible.
+
+{large}
+{last}
+"""
 LAST = "Thirty seconds"  # heading of the last part
 NAMES = {
     "statics": "statics",
@@ -37,6 +65,8 @@ HEAD = [
     "mean internal step (s)",
     "remark",
 ]
+LARGE = ["case", "host step (s)", "internal step (s)", "figure", "remark"]
+LARGE += [f"Verlet x {k}" for k in EXPLICIT]
 
 
 def number(value):
@@ -183,54 +213,18 @@ def main():
             large.append(too_large(name, folder))
         last = thirty_seconds(folder)
     missed = sum("**misses**" in row[-1] for row in rows)
-    text = [
-        ".. written by make bench (tests/hard/table.py); do not edit",
-        "",
+    bounds = [f"* {name}, {number(one['value'])}: {one['why']}." for name, one in BOUNDS.items()]
+    publish(
         "Hard cases",
-        "==========",
-        "",
-        *f"""\
-These scenes are hard to integrate; they run with :doc:`../fix_bearing_implicit` and its default
-settings, one host step per sample. The bearing is a 6208, in mineral oil unless stated otherwise.
-``tests/hard/cases.yaml`` lists the scenes, the bounds with their reasons, and the cases that miss
-their bound. Written on {date.today()}: {len(rows)} figures, {missed} of them outside their bound.
-
-The figure is the largest difference in contact load over balls, raceways and samples, relative to
-the peak load, starting from the sample that the case specifies. *Whole course* is the same figure
-starting from the first sample. Remarks give the largest differences in cage speed and film.
-
-Quasi-static cases are compared with statics, transients over their whole course. A chaotic case is
-compared up to a whirl of the ring (:ref:`known-limits`), by time averages and their statistical
-errors. :doc:`hard_cases_speed` lists the speeds.
-""".splitlines(),
-        "",
-        *csv_table(HEAD, rows),
-        "Bounds:",
-        "",
-    ]
-    text += [
-        f"* {name}, {number(bound['value'])}: {bound['why']}." for name, bound in BOUNDS.items()
-    ]
-    text += [
-        "",
-        "Deliberately large steps",
-        "------------------------",
-        "",
-        *"""\
-The control refines a host step that is too large, or the run stops with an error. Verlet runs
-at 30 and 100 times the step of its reference: the package must reject it, or the result must
-remain sensible.
-""".splitlines(),
-        "",
-        *csv_table(
-            ["case", "host step (s)", "internal step (s)", "figure", "remark"]
-            + [f"Verlet x {k}" for k in EXPLICIT],
-            large,
-        ),
-        *last,
-    ]
-    TARGET.write_text("\n".join(text))
-    print(TARGET)
+        PAGE,
+        TARGET.stem,
+        number=len(rows),
+        missed=missed,
+        table=csv_table(HEAD, rows),
+        bounds=bounds,
+        large=csv_table(LARGE, large),
+        last=last,
+    )
     if unsure:
         sys.exit("References that are not converged:\n" + "\n".join(unsure))
 

@@ -7,18 +7,27 @@ build/bench/hard_cases_full.rst.
 
 import sys
 import tempfile
-from datetime import date
 from pathlib import Path
 
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS))  # as pytest.ini does
 
-from bench.machine import bench_file, csv_table  # noqa: E402
+from bench.machine import csv_table, publish  # noqa: E402
 
 from hard.harness import CASES, full  # noqa: E402
 from hard.table import number  # noqa: E402
 
-TARGET = bench_file("hard_cases_full.rst")
+TITLE = "Hard cases with the models full"
+PAGE = """\
+The scenes of :doc:`hard_cases` with film in the gap, film branch, mixed friction, differential
+slip, spin, rolling resistance and drag. The implicit step with its defaults is compared with
+velocity Verlet with the same law and steps of 0.5 µs, or steps from ``tests/hard/cases.yaml``. The
+figure is the largest difference in contact load over balls, raceways and samples, relative to the
+peak load. For cage speed and film, the largest relative differences are given.
+{missed} of {number} are outside their bound.
+
+{table}
+"""
 HEAD = ["case", "figure", "bound", "cage speed", "film", "mean internal step (s)", "remark"]
 
 
@@ -43,25 +52,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         rows = [row_of(name, folder) for name in CASES]
     missed = sum("**misses**" in row[-1] or row[1] == "refused" for row in rows)
-    text = [
-        ".. written by tests/hard/table_full.py; do not edit",
-        "",
-        "Hard cases with the models full",
-        "===============================",
-        "",
-        *f"""\
-The scenes of :doc:`hard_cases` with film in the gap, film branch, mixed friction, differential
-slip, spin, rolling resistance and drag. The implicit step with its defaults is compared with
-velocity Verlet with the same law and steps of 0.5 µs, or steps from ``tests/hard/cases.yaml``. The
-figure is the largest difference in contact load over balls, raceways and samples, relative to the
-peak load. For cage speed and film, the largest relative differences are given. Written on
-{date.today()}: {missed} of {len(rows)} are outside their bound.
-""".splitlines(),
-        "",
-        *csv_table(HEAD, rows),
-    ]
-    TARGET.write_text("\n".join(text))
-    print(TARGET)
+    page = "hard_cases_full"
+    publish(TITLE, PAGE, page, missed=missed, number=len(rows), table=csv_table(HEAD, rows))
 
 
 if __name__ == "__main__":

@@ -8,19 +8,25 @@ and writes build/bench/relative_tolerance.rst.
 import re
 import sys
 import tempfile
-from datetime import date
 from pathlib import Path
 
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS))  # as pytest.ini does
 
-from bench.machine import bench_file, csv_table  # noqa: E402
+from bench.machine import csv_table, publish  # noqa: E402
 
 from hard import harness  # noqa: E402
 from hard.harness import CASES, least_room, truths_of  # noqa: E402
 from hard.table import number  # noqa: E402
 
-TARGET = bench_file("relative_tolerance.rst")
+PAGE = """\
+The scenes of :doc:`hard_cases` and :doc:`hard_cases_full` with *relative* R of
+:doc:`../fix_bearing_implicit`. The tolerance is the larger of 1 nm and R times the largest overlap.
+Corrections in rejected steps are included. The figure is the largest difference in contact load
+relative to the peak load, compared with the reference closest to its bound.
+
+{parts}
+"""
 SHARES = (0.0, 2e-4, 5e-4)
 HEAD = ["case", "corrections", *(f"fewer by, R = {share:g}" for share in SHARES[1:])]
 HEAD += ["bound", *(f"figure, R = {share:g}" for share in SHARES)]
@@ -91,29 +97,14 @@ def sentence(halves, misses):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         smoothed, full = (compared(by, folder) for by in (by_smoothed_friction, by_full))
-    text = [
-        ".. written by make bench (tests/hard/table_relative.py); do not edit",
-        "",
-        "Relative tolerance",
-        "==================",
-        "",
-        *f"""\
-The scenes of :doc:`hard_cases` and :doc:`hard_cases_full` with *relative* R of
-:doc:`../fix_bearing_implicit`. The tolerance is the larger of 1 nm and R times the largest overlap.
-Corrections in rejected steps are included. The figure is the largest difference in contact load
-relative to the peak load, compared with the reference closest to its bound. Written on
-{date.today()}.
-""".splitlines(),
-        "",
-    ]
+    parts = []
     for title, (rows, halves, misses) in (
         ("Smoothed friction", smoothed),
         ("Models full, compared with velocity Verlet", full),
     ):
-        text += [title, "-" * len(title), "", *sentence(halves, misses), ""]
-        text += csv_table(HEAD, rows)
-    TARGET.write_text("\n".join(text))
-    print(TARGET)
+        parts += [title, "-" * len(title), "", *sentence(halves, misses), ""]
+        parts += csv_table(HEAD, rows)
+    publish("Relative tolerance", PAGE, "relative_tolerance", parts=parts)
 
 
 if __name__ == "__main__":

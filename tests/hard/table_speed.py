@@ -7,19 +7,42 @@ build/bench/hard_cases_speed.rst.
 
 import sys
 import tempfile
-from datetime import date
 from pathlib import Path
 
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS))  # as pytest.ini does
 
-from bench.machine import bench_file, csv_table  # noqa: E402
+from bench.machine import csv_table, publish  # noqa: E402
 
 from hard.harness import CASES, truths_of  # noqa: E402
 from hard.speed import RUNS, coarsest, nearest, resonance, speed  # noqa: E402
 from hard.table import number  # noqa: E402
 
-TARGET = bench_file("hard_cases_speed.rst")
+PAGE = """\
+The scenes of :doc:`hard_cases` run with host steps as long as their loads and motions allow. That
+page lists the errors of these host steps. *With a record* means :doc:`../fix_bearing_record` with
+the samples of that page, taken within the host steps. *Nothing written* is the same motion without
+output. A factor is the simulated time divided by the wall time of the host's loop, without set-up.
+It is the median of {runs} runs on a shared virtual core. Without output, {below} of {number}
+scenes are slower than real time with the default settings.
+
+{table}
+
+Where vibration limits the step
+-------------------------------
+
+Balls between two loaded contacts vibrate. *Contact resonance* is the shortest period of a ball on
+the springs of its two contacts in the run. The default tolerance follows this motion with more
+steps than the bounds require. *Coarsest tolerance* is the largest of the series 1, 2, 5, 10, 20,
+50, 100 and 200 nm up to which all bounds are met. The series was run with one host step per sample,
+and with the host steps above; the steps per period are given for the latter. Steps as long as the
+period damp the vibration, while the loads stay within the bound.
+
+*Words* are the keywords of :doc:`../fix_bearing_implicit` that meet the same bounds faster. The
+figure closest to its bound is given, for both lengths of host steps.
+
+{slow}
+"""
 HEAD = ["case", "host step (s)", "samples in it", "with a record", "nothing written"]
 SLOW = [
     "case",
@@ -81,41 +104,10 @@ def main():
         print("timed", flush=True)
         slow = [needs(name, folder, *timed[name][1:], faster[name]) for name in faster]
     below = sum(nothing.factor < 1 for _, nothing, _ in timed.values())
-    text = [
-        ".. written by tests/hard/table_speed.py; do not edit",
-        "",
-        "Speed of the hard cases",
-        "=======================",
-        "",
-        *f"""\
-The scenes of :doc:`hard_cases` run with host steps as long as their loads and motions allow. That
-page lists the errors of these host steps. *With a record* means :doc:`../fix_bearing_record` with
-the samples of that page, taken within the host steps. *Nothing written* is the same motion without
-output. A factor is the simulated time divided by the wall time of the host's loop, without set-up.
-It is the median of {RUNS} runs on a shared virtual core. Written on {date.today()}: without output,
-{below} of {len(timed)} scenes are slower than real time with the default settings.
-""".splitlines(),
-        "",
-        *csv_table(HEAD, [row for row, _, _ in timed.values()]),
-        "Where vibration limits the step",
-        "-------------------------------",
-        "",
-        *"""\
-Balls between two loaded contacts vibrate. *Contact resonance* is the shortest period of a ball on
-the springs of its two contacts in the run. The default tolerance follows this motion with more
-steps than the bounds require. *Coarsest tolerance* is the largest of the series 1, 2, 5, 10, 20,
-50, 100 and 200 nm up to which all bounds are met. The series was run with one host step per sample,
-and with the host steps above; the steps per period are given for the latter. Steps as long as the
-period damp the vibration, while the loads stay within the bound.
-
-*Words* are the keywords of :doc:`../fix_bearing_implicit` that meet the same bounds faster. The
-figure closest to its bound is given, for both lengths of host steps.
-""".splitlines(),
-        "",
-        *csv_table(SLOW, slow),
-    ]
-    TARGET.write_text("\n".join(text))
-    print(TARGET)
+    table = csv_table(HEAD, [row for row, _, _ in timed.values()])
+    numbers = dict(runs=RUNS, below=below, number=len(timed))
+    tables = dict(table=table, slow=csv_table(SLOW, slow))
+    publish("Speed of the hard cases", PAGE, "hard_cases_speed", **numbers, **tables)
 
 
 if __name__ == "__main__":

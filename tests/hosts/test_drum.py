@@ -7,7 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from host import FORMATS, ROOT, VENV, deck_file, frames, refuses, run, succeed
+from host import FORMATS, ROOT, VENV, box, deck_file, frames, refuses, run, succeed
 from scenes import changed
 
 DECK = "docs/decks/in.drum"
@@ -138,15 +138,10 @@ pair_coeff * *
 fix floor all wall/gran hertz/history 1.0e6 NULL 100.0 NULL 0.5 1 yplane -0.05 NULL
 """,
 }
-SCENE = """{plugin}
-units si
-atom_style sphere
-atom_modify map array sort 0 0.0
-boundary f f f
-newton off
-region box block -0.05 0.05 -0.06 0.2 -0.05 0.05 units box
-create_box 1 box
-neighbor 2.0e-3 bin
+SCENE = (
+    "{plugin}"
+    + box("-0.05 0.05 -0.06 0.2 -0.05 0.05", types=1, every=10)
+    + """
 {styles}
 lattice sc 0.0125
 region heap block -0.03 0.03 -0.03 0.1 -0.03 0.03 units box
@@ -159,6 +154,7 @@ dump_modify d sort id {form} "%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g
 timestep 1.0e-5
 run 3000
 """
+)
 
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])

@@ -7,7 +7,7 @@ import re
 
 import pytest
 import raceway
-from host import ROOT, deck_file, succeed
+from host import ROOT, box, deck_file, succeed
 from raceway import catalogue, inputs
 from raceway.theory import makers
 
@@ -21,14 +21,9 @@ SCENE = (
 variable temperature index 40
 variable rpm index 1500
 variable out index x
-units si
-atom_style sphere
-atom_modify map array sort 0 0.0
-boundary f f f
-newton off
-region box block -0.06 0.06 -0.06 0.06 -0.06 0.06 units box
-create_box 4 box
-neighbor ${b_skin} nsq
+"""
+    + box(neighbor="${b_skin} nsq")
+    + """
 pair_style bearing oil ${lubricant} temperature ${temperature} models full
 pair_coeff * * b
 variable omega equal 2*PI*${rpm}/60

@@ -4,7 +4,7 @@ table, and deck variables whose names have another meaning in the package."""
 
 import pytest
 import raceway
-from host import ROOT, deck_file, refuses, succeed
+from host import ROOT, box, deck_file, refuses, succeed
 from raceway.cli import main
 
 BEARING = {
@@ -20,16 +20,7 @@ variable out index DIR/run
 OWN
 variable w equal 2*PI*${speed}/60
 bearing a DIR/bearing types 1 2 3 4 clearance 10e-6
-bearing z 6208 types 5 6 7 8
-units si
-atom_style sphere
-atom_modify map array sort 0 0.0
-newton off
-boundary f f f
-region box block -0.05 0.3 -0.1 0.1 -0.1 0.1 units box
-create_box 8 box
-neighbor ${a_skin} nsq
-neigh_modify delay 0 every 1 check yes
+bearing z 6208 types 5 6 7 8BOX
 pair_style bearing axis x oil ${oil} temperature 50
 pair_coeff * * a
 pair_coeff * * z
@@ -47,7 +38,7 @@ fix rails_z rails_z bearing/cage z
 fix move all bearing/implicit
 fix record all bearing/record pass/20 ${out} overwrite yes
 run_bearing settle 0 passes 1
-"""
+""".replace("BOX", box("-0.05 0.3 -0.1 0.1 -0.1 0.1", 8, "${a_skin} nsq"))
 
 
 def words(values):

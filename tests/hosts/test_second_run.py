@@ -7,30 +7,22 @@ import re
 
 import numpy as np
 import pytest
-from host import deck_file, frames, succeed
+from host import deck_file, frames, named_bearing, succeed
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 from scipy.io import netcdf_file
 
-DECK = """
-bearing b 6208 types 1 2 3 4 clearance 1.0e-5
-units si
-atom_style sphere
-atom_modify map array sort 0 0.0
-newton off
-boundary f f f
-region box block -0.06 0.06 -0.06 0.06 -0.06 0.06 units box
-create_box 4 box
-neighbor ${{b_skin}} bin
-neigh_modify delay 0 every 1 check yes
-pair_style bearing oil vg46 temperature 40 models full
-pair_coeff * * b
+BEARING = named_bearing(oil="vg46 temperature 40", neighbor="${{b_skin}} bin")
+DECK = (
+    BEARING
+    + """
 create_bearing b speed {speed} 0 phase 0.1
 fix rails cage bearing/cage b
 fix inner inner bearing/ring free loaded spin speed {speed} load {load} ramp 3.0e-3
 fix move all bearing/implicit
 {heat}
 """
+)
 MEASURE = """
 fix record all bearing/record pass/40 ${{out}}{folder} overwrite yes
 run_bearing settle auto passes 2

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from host import BOX, FORMATS, deck_file, refuses, succeed
+from host import BOX, FORMATS, box, deck_file, refuses, succeed
 from raceway import core
 
 HOSTS = pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
@@ -72,13 +72,7 @@ def test_one_command_for_new_and_resumed_runs(tmp_path, host, resumed):
 NAMED = """
 bearing a 6208 types 1 2 3 4 clearance 1.0e-5
 bearing c 6305 types 5 6 7 8 clearance 8.0e-6
-units si
-atom_style sphere
-atom_modify map array sort 0 0.0
-newton off
 BEGIN
-neighbor ${a_skin} nsq
-neigh_modify delay 0 every 1 check yes
 pair_style bearing oil vg46 temperature 60 models full
 pair_coeff * * a
 pair_coeff * * c oil vg100 temperature 30
@@ -96,14 +90,14 @@ timestep 1.0e-4
 def test_named_bearings_after_read_restart(tmp_path, host):
     """The same commands create the bearings of a new run and make the groups of a run from a
     restart file. Outer rings without a fix keep their spin."""
-    box = "boundary f f f\nregion box block -0.06 0.06 -0.06 0.06 -0.06 0.36 units box\n"
-    new = NAMED.replace("BEGIN", box + "create_box 8 box")
+    space = box("-0.06 0.06 -0.06 0.06 -0.06 0.36", 8, "${a_skin} nsq")
+    new = NAMED.replace("BEGIN", space)
     last = 'print "IS $(step) $(f_inner[2]) $(f_inner[2][2]) $(f_inner[2][12])"\n'
     kept = tmp_path / "re"
     said = []
     for name, deck in (
         ("whole", f"{new}run 50\nwrite_restart {kept}\nrun 50\n"),
-        ("again", NAMED.replace("BEGIN", f"read_restart {kept}") + "run 50\n"),
+        ("again", re.sub("region.*box\n", f"read_restart {kept}\n", new, flags=re.S) + "run 50\n"),
     ):
         (tmp_path / name).write_text(deck + last)
         said.append(re.findall(r"^IS .*$", succeed(tmp_path / name, host=host).text, re.M))

@@ -1,21 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exports the drag on a one-piece cage, its pockets and its land to test_physics_cage_ring.py.
+// Exports the pockets and the land of a one-piece cage to test_physics_cage_ring.py and
+// test_physics_pocket_film.py.
 #include "../../src-package/core/geometry/pocket_contact.h"
 #include "../../src-package/core/interface/exports.h"
 
 using namespace raceway;
-
-FORMULA(double, cage_pocket_shear,
-        (double viscosity, double ball, double height, double gap, double filled))
-{
-  return pocket_shear(viscosity, ball, height, gap, filled);
-}
-
-FORMULA(double, cage_land_couple,
-        (double viscosity, double radius, double width, double clearance, double share))
-{
-  return land_couple({radius, clearance, width, 1, viscosity, 1.0}, share);
-}
 
 RECORD(Squeeze, double spring, damper, by_spring[3], by_damper[3];)
 EXPORT(void, pocket_squeeze, (const double *film, const double *x, const double *v, Squeeze *out))
@@ -48,12 +37,6 @@ FORMULA(Film, cage_land_film,
   const LandForce<double> f =
       land_film<double>({radius, clearance, width, 1, viscosity, 1.0}, x, y, vx, vy, sum);
   return {f.x, f.y};
-}
-
-FORMULA(double, cage_churning,
-        (double share, double density, double viscosity, double radius, double speed))
-{
-  return churning_couple(share, density, viscosity, radius, speed);
 }
 
 // A cage, a ball and a ring at positions that a test sets.

@@ -78,24 +78,6 @@ EXPORT(void, groove_reach,
   out[1] = semi_axis > 0.0 ? s.around(r.far, cosine, semi_axis) : r.far.reach;
 }
 
-// Returns the integral (m) outside a contact under a given load (N). If the load is 0, the integral
-// covers the open gap of height h (m), for a given clearance (m).
-EXPORT(double, outside_integral,
-       (const RacewayPhysics *p, double cos_angle, double load, double h, double play,
-        double reach))
-{
-  const RacewayConstants k = p->law.at(cos_angle);
-  const GapShape s = gap_shape(k, p->material.Eprime(), p->rolling_radius(cos_angle));
-  if (load == 0.0) {
-    const OpenGapT<double> open(s, h, 1.0 - play / p->slack);
-    const double stretch = open.stretch(reach);
-    return open.wider * gap_integral(s, 0.0, stretch, stretch);
-  }
-  const LoadedGapT<double> loaded(s, std::cbrt(load / k.K), std::log(load), h, std::log(h));
-  const double stretch = loaded.stretch(reach);
-  return gap_integral(s, loaded.G, stretch, stretch);
-}
-
 // Evaluates n balls on a raceway, both one by one and four at a time; `columns` values are stored
 // for each ball. n must be a multiple of 4.
 EXPORT(void, capacitors,

@@ -23,7 +23,6 @@ RECORD(RacewayInput, double side, raceway_radius, groove_radius, ball_radius, ba
        lambda_2, hysteresis, ring_roughness, ball_roughness, film_floor, tangential_ratio,
        tangential_zeta, pitch_radius, ball_mass, overlap_limit, offset;)
 
-RECORD(FilmConstants, double min_lnA, min_p, min_m, central_lnA, central_p, central_m;)
 RECORD(Constants, double K, a, b, p, min_lnA, min_p, min_m, central_lnA, central_p, central_m,
        film_damper;)
 RECORD(Derived, double centre_circle, slack, largest_overlap, roughness, inverse_roughness, floor,
@@ -36,7 +35,6 @@ RECORD(State, double u[3], t[3], r, z, nu, ne, overlap, root, cos_angle, overlap
 RECORD(Forces, double force[3], ball_torque[3], ring_torque[3];)
 RECORD(BallMotion, double x[3], v[3], w[3];)
 RECORD(RingMotion, double x[3], v[3], w[3], e[3];)
-RECORD(Hertz, double kappa, Ebar, Fbar, R, K, a, b, p;)
 RECORD(SpringForce, double ft, fw;)
 RECORD(CageContact, double stiffness, damping, growth, force;)
 RECORD(RailSeat, double circle, tube, offset;)
@@ -66,11 +64,6 @@ static RacewayPhysics raceway_from(const RacewayInput &in)
   p.of<TangentialSpringPart>().zeta = in.tangential_zeta;
   p.prepare(in.pitch_radius, in.ball_mass, in.overlap_limit);
   return p;
-}
-
-static void put(const FilmPair &f, FilmConstants *out)
-{
-  *out = {f.min.lnA, f.min.p, f.min.m, f.central.lnA, f.central.p, f.central.m};
 }
 
 static void put(const RacewayConstants &c, Constants *out)
@@ -114,53 +107,9 @@ EXPORT(void, elementary, (double which, double n, const double *x, double *one, 
 }
 
 // ---- vec3.h
-EXPORT(void, vec3_cross, (const double a[3], const double b[3], double out[3]))
-{
-  cross(Vec3::from(a), Vec3::from(b)).to(out);
-}
-EXPORT(double, vec3_dot, (const double a[3], const double b[3]))
-{
-  return dot(Vec3::from(a), Vec3::from(b));
-}
-EXPORT(double, vec3_norm, (const double a[3])) { return norm(Vec3::from(a)); }
 EXPORT(void, vec3_rotate, (const double a[3], const double w[3], double out[3]))
 {
   rotate(Vec3::from(a), Vec3::from(w)).to(out);
-}
-
-// Computes a + b, a - b, s a, a s, -a, a += b, a -= b, and b added to a component by component.
-EXPORT(void, vec3_algebra, (const double pa[3], const double pb[3], double s, double out[24]))
-{
-  const Vec3 a = Vec3::from(pa), b = Vec3::from(pb);
-  Vec3 plus = a, minus = a;
-  plus += b;
-  minus -= b;
-  const Vec3 results[] = {a + b, a - b, s * a, a * s, -a, plus, minus};
-  for (const Vec3 &r : results) {
-    r.to(out);
-    out += 3;
-  }
-  a.to(out);
-  b.add_to(out);
-}
-
-// ---- hertz.h
-EXPORT(void, hertz, (double Rx, double Ry, double Eprime, double form, Hertz *out))
-{
-  const HertzContact h = hertz_contact(Rx, Ry, Eprime, Ellipse(int(form)));
-  *out = {h.ellipse.kappa, h.ellipse.Ebar, h.ellipse.Fbar, h.R, h.K, h.a, h.b, h.p};
-}
-
-// ---- film.h
-EXPORT(void, film,
-       (double model, double kappa, double viscosity, double xi, double Eprime, double Rx,
-        FilmConstants *out))
-{
-  put(film_laws(FilmModel(int(model)), kappa, {viscosity, xi}, Eprime, Rx), out);
-}
-EXPORT(double, thickness, (double lnA, double p, double m, double speed, double load))
-{
-  return film_thickness({lnA, p, m}, film_point(speed, load));
 }
 
 // ---- friction.h

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Call functions in src-package/core by name from Python (physics_c.cpp)."""
 
+from typing import NamedTuple
+
 import numpy as np
 from raceway.core import laws
 from raceway.core.exports import Library
@@ -52,6 +54,42 @@ OIL = dict(viscosity=0.04, pressure_viscosity=15e-9, ring_roughness=40e-9, ball_
 ELEMENTARY = ("exponential", "logarithm", "rough_exponential", "rough_logarithm", "arctangent")
 
 
+class Hertz(NamedTuple):
+    """A contact at an overlap of 1 m: a, b and p grow with the root of the overlap."""
+
+    kappa: float
+    first: float
+    second: float
+    radius: float
+    K: float
+    a: float
+    b: float
+    p: float
+
+
+def hertz_contact(r_x, r_y, modulus, form=EXACT):
+    ellipse = laws.hertz_ellipse(r_x, r_y, form)
+    kappa, _, second, radius = ellipse
+    stiffness = laws.hertz_stiffness(*ellipse, modulus)
+    axes = laws.hertz_semi_axes(kappa, second, radius, modulus, stiffness)
+    pressure = laws.hertz_pressure(kappa, second, radius, modulus, stiffness)
+    return Hertz(*ellipse, stiffness, *axes, pressure)
+
+
+def groove_radii(side, cos_angle=1.0, groove=6.552e-3):
+    return np.array(laws.effective_radii(BALL, groove, PITCH, side == INNER, cos_angle))
+
+
+def film_pair(model, kappa, viscosity, xi, modulus, r_x, speed, load):
+    """Return (h_min, h_c) in m."""
+    group = (viscosity * speed / (modulus * r_x), xi * modulus, load / (modulus * r_x**2))
+    return tuple(r_x * h for h in laws.film_thickness(model, *group, kappa))
+
+
+def rolling(inner_speed, outer_speed=0.0):
+    return laws.pure_rolling(BALL, PITCH, inner_speed, outer_speed)
+
+
 class Physics(Library):
     """The library of core functions; frequently used functions have their own methods."""
 
@@ -68,28 +106,8 @@ class Physics(Library):
     def rotate(self, a, w):
         return self.call("vec3_rotate", a, w)
 
-    def hertz(self, r_x, r_y, modulus, form=EXACT):
-        return self.call("hertz", Rx=r_x, Ry=r_y, Eprime=modulus, form=form)
-
-    def radii(self, side, cos_angle=1.0, groove=6.552e-3):
-        return np.array(laws.effective_radii(BALL, groove, PITCH, side == INNER, cos_angle))
-
-    def film(self, model, kappa, viscosity, xi, modulus, r_x, speed, load):
-        """Return (h_min, h_c) in m."""
-        law = self.call(
-            "film", model=model, kappa=kappa, viscosity=viscosity, xi=xi, Eprime=modulus, Rx=r_x
-        )
-        at = dict(speed=speed, load=load)
-        return (
-            self.call("thickness", lnA=law.min_lnA, p=law.min_p, m=law.min_m, **at),
-            self.call("thickness", lnA=law.central_lnA, p=law.central_p, m=law.central_m, **at),
-        )
-
     def locate(self, d, e, circle):
         return self.call("groove_locate", d=d, e=e, centre_circle=circle)
-
-    def rolling(self, inner_speed, outer_speed=0.0, ball=BALL, pitch=PITCH):
-        return laws.pure_rolling(ball, pitch, inner_speed, outer_speed)
 
     def raceway(self, **changes):
         return Raceway(self, changes)
@@ -128,6 +146,17 @@ class Raceway:
 
     def radial(self):
         return self._physics.call("raceway_radial", self._handle)
+
+    def reach(self, depth, angle=0.0, semi_axis=0.0):
+        """Return how far (m) a groove of a given depth (m) extends on both sides of a contact."""
+        return self._physics.call(
+            "groove_reach",
+            p=self._handle,
+            depth=depth,
+            sine=np.sin(angle),
+            cosine=np.cos(angle),
+            semi_axis=semi_axis,
+        )
 
     def touch(self, d, e):
         """Return (whether the surfaces overlap, contact state with its geometry set)."""

@@ -5,6 +5,7 @@ depend on the orientation of the bearing in the lab frame."""
 
 import numpy as np
 import pytest
+from raceway.core import laws
 from scipy.spatial.transform import Rotation
 
 OIL = 0.04
@@ -17,10 +18,9 @@ BEARINGS = {
 
 
 @pytest.mark.parametrize("name, couple", [("6205", 0.09691e-3), ("MFPT", 0.02772e-3)])
-def test_oil_in_a_pocket_shears_over_its_band(physics, name, couple):
+def test_oil_in_a_pocket_shears_over_its_band(name, couple):
     ball, _, _, spin = BEARINGS[name]
-    law = physics.formula("cage_pocket_shear")
-    found = law(OIL, ball / 2, 0.35 * ball, 0.1e-3, 1.0) * spin
+    found = laws.pocket_shear(OIL, ball / 2, 2 * 0.1e-3, 1.0) * spin
     assert found == pytest.approx(couple, rel=2e-4)
     # integral of (eta v/c) r over the band, where v = w R |cos|
     angle = (np.arange(400) + 0.5) * 2 * np.pi / 400
@@ -32,16 +32,13 @@ def test_oil_in_a_pocket_shears_over_its_band(physics, name, couple):
 @pytest.mark.parametrize(
     "name, outer, inner", [("6205", 2.905e-3, 2.209e-3), ("MFPT", 1.270e-3, 0.985e-3)]
 )
-def test_a_centred_land_is_petroffs_bearing(physics, name, outer, inner):
+def test_a_centred_land_is_petroffs_bearing(name, outer, inner):
     ball, pitch, cage, _ = BEARINGS[name]
     shaft = {"6205": 1797, "MFPT": 1485}[name] * np.pi / 30
-    law = physics.formula("cage_land_couple")
     at = pitch / 2 + 0.28 * ball * np.array([1, -1])
-    found = law(OIL, at, 3e-3, 0.2e-3, 0.0) * np.array([cage, shaft - cage])
-    assert found == pytest.approx([outer, inner], rel=1e-3)
-    assert law(OIL, at[0], 3e-3, 0.2e-3, 0.6) / law(OIL, at[0], 3e-3, 0.2e-3, 0.0) == pytest.approx(
-        1.25
-    )
+    centred, off = (laws.land_couple(OIL, at, 0.2e-3, 3e-3, 1.0, share) for share in (0.0, 0.6))
+    assert centred * [cage, shaft - cage] == pytest.approx([outer, inner], rel=1e-3)
+    assert off / centred == pytest.approx([1.25, 1.25])
 
 
 def film(physics, e, angle=0.0, speed=74.954, whirl=0.0, v=(0.0, 0.0)):
@@ -114,16 +111,16 @@ def test_a_centred_cage_is_damped_alike_in_every_direction(physics):
         assert np.array(force) == pytest.approx(-k * np.array(v), rel=1e-9)
 
 
-def test_a_disc_churns_as_in_the_tables(physics):
-    law = physics.formula("cage_churning")
+def test_a_disc_churns_as_in_the_tables():
+    law = laws.cage_churning
     for name, couple in (("6205", 0.170e-3), ("MFPT", 0.055e-3)):
         ball, pitch, cage, _ = BEARINGS[name]
-        found = law(0.1, 870.0, OIL, pitch / 2 + 0.3 * ball, cage)
+        found = law(0.1, 870.0, OIL, pitch / 2, ball / 2, cage)
         assert found == pytest.approx(couple, rel=0.02)
-        assert law(0.1, 870.0, OIL, pitch / 2 + 0.3 * ball, -cage) == -found
-    assert law(0.1, 870.0, OIL, 0.02, 0.0) == 0
+        assert law(0.1, 870.0, OIL, pitch / 2, ball / 2, -cage) == -found
+    assert law(0.1, 870.0, OIL, 0.02, 0.0, 0.0) == 0
     # turbulent flow: the drag coefficient falls with the fifth root of the Reynolds number
-    fast = law(1.0, 870.0, 1e-4, 0.05, np.array([400.0, 800.0]))
+    fast = law(1.0, 870.0, 1e-4, 0.05, 0.0, np.array([400.0, 800.0]))
     assert fast[1] / fast[0] == pytest.approx(2**1.8, rel=1e-12)
 
 

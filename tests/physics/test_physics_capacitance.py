@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the limits of capacitance.h; test_physics_two_ways.py compares its equations with
+"""Tests of the limits of capacitance.h; test_physics_in_40_digits.py compares its equations with
 40-digit results."""
 
 import numpy as np

@@ -12,7 +12,7 @@ import mpmath
 import numpy as np
 import pytest
 from contact_reference import DIGITS, Reference
-from physics_c import BALL, CONSTANT, FRICTIONLESS, INNER, OIL, OUTER, PITCH, STRIBECK
+from physics_c import BALL, CONSTANT, FRICTIONLESS, INNER, OIL, OUTER, PITCH, STRIBECK, rolling
 from raceway.core import laws
 
 CIRCLE = {INNER: 30.552e-3, OUTER: 30.048e-3}
@@ -144,7 +144,7 @@ def test_tilting_ring_alone_closes_the_contact(physics, side):
 @SIDES
 @pytest.mark.parametrize("inner, outer", [(50.0, 0.0), (50.0, -20.0), (0.0, 30.0)])
 def test_pure_rolling_does_not_slide(physics, side, inner, outer):
-    motion = physics.rolling(inner, outer)
+    motion = rolling(inner, outer)
     ball = (
         np.array([0, -PITCH, 0]),
         np.array([motion.orbit * PITCH, 0, 0]),

@@ -52,6 +52,11 @@ def test_errata_equation_5_with_the_full_axis_and_the_rolling_radius():
     )
 
 
+def test_no_film_is_an_error():
+    with pytest.raises(ValueError, match="h_min"):
+        package.film(0.04, 2e-3, 6e-3, 0.0)
+
+
 def test_hysteretic():
-    assert laws.hysteretic_damping(0.08, 2436.2) == pytest.approx(1.5 * 0.08 * 2436.2, rel=1e-15)
-    assert laws.hysteretic_damping(0.08, 0.0) == 0
+    assert package.hysteretic(2436.2) == pytest.approx(1.5 * 0.08 * 2436.2, rel=1e-15)
+    assert package.hysteretic(0.0) == 0

@@ -3,7 +3,6 @@
 
 import numpy as np
 import pytest
-from raceway import film as package
 from raceway.core import laws
 
 CURVE = dict(mu_boundary=0.12, mu_full=0.02, lambda_1=0.8, lambda_2=2.9)
@@ -39,12 +38,6 @@ def test_stribeck_has_no_kink(end):
 
 def test_stribeck_falls_all_the_way():
     assert np.all(np.diff([mu(lam) for lam in np.linspace(0.8, 2.9, 50)]) < 0)
-
-
-def test_regimes():
-    ratios = [0.0, 0.999, 1.0, 2.0, 3.0, 3.001]
-    assert package.regime(ratios).tolist() == [0, 0, 1, 1, 1, 2]
-    assert package.regime(0.9, boundary=0.8, full=0.85) == 2
 
 
 def spring(physics, xi, velocity, cap, k=1e7, c=30.0):

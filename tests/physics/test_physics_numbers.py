@@ -4,37 +4,37 @@ docs/theory, section Numbers to reproduce, and in Table 3 of the paper."""
 
 import numpy as np
 import pytest
-from physics_c import BALL_MASS, EXACT, INNER, OUTER, PITCH, PRINTED
+from physics_c import BALL_MASS, EXACT, INNER, OUTER, PITCH, PRINTED, groove_radii, hertz_contact
 from scipy.optimize import brentq
 
 STEEL = 210e9 / (1 - 0.09)
 PSI = 2 * np.pi * np.arange(9) / 9  # one ball is on the load line
 
 
-def stiffness(physics, form=EXACT):
-    return [physics.hertz(*physics.radii(side), STEEL, form).K for side in (INNER, OUTER)]
+def stiffness(form=EXACT):
+    return [hertz_contact(*groove_radii(side), STEEL, form).K for side in (INNER, OUTER)]
 
 
 def ball_loads(series, shift, clearance):
     return series * np.maximum(shift * np.cos(PSI) - clearance / 2, 0) ** 1.5
 
 
-def equilibrium(physics, load, clearance=0.0, form=EXACT):
+def equilibrium(load, clearance=0.0, form=EXACT):
     """Return (shift, ball loads) for an inner ring that is pushed towards ball 0. Each ball is in
     equilibrium between the raceways."""
-    series = np.sum(np.array(stiffness(physics, form)) ** (-2 / 3)) ** -1.5
+    series = np.sum(np.array(stiffness(form)) ** (-2 / 3)) ** -1.5
     shift = brentq(
         lambda s: ball_loads(series, s, clearance) @ np.cos(PSI) - load, 1e-7, 2e-4, xtol=1e-15
     )
     return shift, ball_loads(series, shift, clearance)
 
 
-def test_stiffness(physics):
-    assert stiffness(physics) == pytest.approx([3.2497e10, 3.4483e10], abs=0.00005e10)
+def test_stiffness():
+    assert stiffness() == pytest.approx([3.2497e10, 3.4483e10], abs=0.00005e10)
 
 
-def test_5_kn(physics):
-    shift, loads = equilibrium(physics, 5000.0)
+def test_5_kn():
+    shift, loads = equilibrium(5000.0)
     assert loads[:3] == pytest.approx([2436.2, 1633.4, 176.3], abs=0.05)
     assert loads[3:7].tolist() == [0] * 4
     assert loads[0] / 5000 == pytest.approx(0.48725, abs=5e-6)
@@ -44,8 +44,8 @@ def test_5_kn(physics):
 @pytest.mark.parametrize(
     "side, a, b, p", [(INNER, 2.059, 0.2197, 2571), (OUTER, 1.993, 0.2749, 2123)]
 )
-def test_ellipse_and_pressure(physics, side, a, b, p):
-    h = physics.hertz(*physics.radii(side), STEEL)
+def test_ellipse_and_pressure(side, a, b, p):
+    h = hertz_contact(*groove_radii(side), STEEL)
     root = (2436.2 / h.K) ** (1 / 3)  # cube root of the overlap ratio
     assert h.a * root * 1e3 == pytest.approx(a, abs=5e-4)
     assert h.b * root * 1e3 == pytest.approx(b, abs=5e-5)
@@ -53,16 +53,16 @@ def test_ellipse_and_pressure(physics, side, a, b, p):
 
 
 def test_spring_of_the_loaded_ball(physics):
-    k = sum(1.5 * K ** (2 / 3) * 2436.2 ** (1 / 3) for K in stiffness(physics))
+    k = sum(1.5 * K ** (2 / 3) * 2436.2 ** (1 / 3) for K in stiffness())
     assert k == pytest.approx(4.19e8, abs=0.005e8)
     assert physics.call("largest_step", k=k, c=0.0, m=BALL_MASS) == pytest.approx(
         8.8e-6, abs=0.05e-6
     )
 
 
-def parameter(physics, ratio, form):
+def parameter(ratio, form):
     clearance = ratio * 12.6e-3
-    return 0.5 * (1 - clearance / (2 * equilibrium(physics, 5000.0, clearance, form)[0]))
+    return 0.5 * (1 - clearance / (2 * equilibrium(5000.0, clearance, form)[0]))
 
 
 # {form: load parameters in docs/errata at P_d/D}, with the digits and the ranges (over the ball
@@ -92,13 +92,13 @@ def parameter(physics, ratio, form):
         ),
     ],
 )
-def test_errata_load_parameters(physics, form, expected):
+def test_errata_load_parameters(form, expected):
     for ratio, (value, digits) in expected.items():
-        assert parameter(physics, ratio, form) == pytest.approx(value, abs=digits), ratio
+        assert parameter(ratio, form) == pytest.approx(value, abs=digits), ratio
 
 
-def test_errata_of_table_3(physics):
-    assert [parameter(physics, ratio, EXACT) for ratio in (-0.002, 0.002)] == pytest.approx(
+def test_errata_of_table_3():
+    assert [parameter(ratio, EXACT) for ratio in (-0.002, 0.002)] == pytest.approx(
         [0.821, 0.373], abs=5e-3
     )
 
@@ -107,7 +107,7 @@ def test_the_contacts_themselves_balance_the_load(physics):
     # in the full geometry, each ball finds its radial position between the grooves, and the inner
     # ring remains a circle; the theory neglects this for balls off the load line (0.4 % for a ball
     # at 80 degrees, raceway.static)
-    shift, loads = equilibrium(physics, 5000.0)
+    shift, loads = equilibrium(5000.0)
     inner, outer = physics.raceway_6208(INNER), physics.raceway_6208(OUTER)
     axis, still = np.array([0.0, 0.0, 1.0]), np.zeros(3)
 

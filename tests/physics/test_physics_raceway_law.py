@@ -14,6 +14,9 @@ from physics_c import (
     OIL,
     OUTER,
     PRINTED,
+    film_pair,
+    groove_radii,
+    hertz_contact,
 )
 from raceway.core import laws
 
@@ -25,6 +28,16 @@ def compare(one, other, rel, ln_abs):
         # for ln A, the absolute error equals the relative error of h
         bound = dict(abs=ln_abs) if name.endswith("lnA") else dict(rel=rel)
         assert getattr(one, name) == pytest.approx(getattr(other, name), **bound), name
+
+
+def films(constants, speed, load):
+    """Return (h_min, h_c) in m."""
+    c, ln_at = vars(constants), (1, np.log(speed), np.log(load))
+    names = ("lnA", "p", "m")
+    return [
+        np.exp(sum(c[f"{which}_{name}"] * x for name, x in zip(names, ln_at)))
+        for which in ("min", "central")
+    ]
 
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
@@ -44,12 +57,8 @@ def test_table_against_the_exact_constants(physics, side, ellipse, film):
     ]:
         found, exact = ring.table(cosine), ring.exact(cosine)
         compare(found, exact, rel=1e-9, ln_abs=1e-9)  # the bound stated in the header
-        for which in ("min", "central"):
-            h = [
-                c[which + "_lnA"] + c[which + "_p"] * np.log(1e-3) + c[which + "_m"] * np.log(5e3)
-                for c in (vars(found), vars(exact))
-            ]
-            assert h[0] == pytest.approx(h[1], abs=1e-8)  # ln u and ln Q amplify the error by ten
+        # ln u and ln Q amplify the error by ten
+        assert films(found, 1e-3, 5e3) == pytest.approx(films(exact, 1e-3, 5e3), rel=1e-8)
 
 
 def test_nodes_are_exact(physics):
@@ -77,32 +86,21 @@ def test_constants_are_those_of_the_parts(physics, side, angle):
         side, film=MASJEDI_PRINTED, ball_young=300e9, ball_poisson=0.26, **OIL
     )
     modulus = laws.reduced_modulus(300e9, 0.26, 210e9, 0.3)
-    r_x, r_y = physics.radii(side, cosine)
-    h = physics.hertz(r_x, r_y, modulus)
+    r_x, r_y = groove_radii(side, cosine)
+    h = hertz_contact(r_x, r_y, modulus)
     c = ring.exact(cosine)
-    coefficients = physics.call(
-        "film",
-        model=MASJEDI_PRINTED,
-        kappa=h.kappa,
-        viscosity=OIL["viscosity"],
-        xi=OIL["pressure_viscosity"],
-        Eprime=modulus,
-        Rx=r_x,
-    )
-    expected = [
-        h.K,
-        h.a,
-        h.b,
-        h.p,
-        *vars(coefficients).values(),
-        laws.film_damping(OIL["viscosity"], 1.0, BALL, 1.0, 0.0),
-    ]
-    assert list(vars(c).values()) == expected
+    damper = laws.film_damping(OIL["viscosity"], 1.0, BALL, 1.0, 0.0)
+    assert [c.K, c.a, c.b, c.film_damper] == [h.K, h.a, h.b, damper]
+    assert c.p == pytest.approx(h.p, rel=1e-14)
+    oil = OIL["viscosity"], OIL["pressure_viscosity"]
+    for at in ((0.3, 20.0), (2.0, 3000.0)):  # m/s, N
+        expected = film_pair(MASJEDI_PRINTED, h.kappa, *oil, modulus, r_x, *at)
+        assert films(c, *at) == pytest.approx(expected, rel=1e-13)
     assert ring.derived().modulus == modulus
 
 
 def test_options_of_the_film_damper(physics):
-    r_x, _ = physics.radii(INNER)
+    r_x, _ = groove_radii(INNER)
     plain, full, rolling = (
         physics.raceway_6208(INNER, **OIL, **options).radial().film_damper
         for options in ({}, dict(damper_full_axis=1), dict(damper_rolling_radius=1))

@@ -4,26 +4,26 @@
 import numpy as np
 import pytest
 from bearings import B6208
-from physics_c import BALL, PITCH
+from physics_c import BALL, PITCH, rolling
 from raceway.theory.kinematics import frequencies
 
 
 @pytest.mark.parametrize("inner, outer", [(50.0, 0.0), (0.0, 50.0), (120.0, -70.0), (-30.0, -30.0)])
-def test_no_slip(physics, inner, outer):
-    motion = physics.rolling(inner, outer)
+def test_no_slip(inner, outer):
+    motion = rolling(inner, outer)
     centre = motion.orbit * PITCH
     # an ulp of a few m/s
     assert centre - motion.spin * BALL == pytest.approx(inner * (PITCH - BALL), abs=5e-15)
     assert centre + motion.spin * BALL == pytest.approx(outer * (PITCH + BALL), abs=5e-15)
 
 
-def test_both_rings_together_carry_the_balls_along(physics):
-    motion = physics.rolling(40.0, 40.0)
+def test_both_rings_together_carry_the_balls_along():
+    motion = rolling(40.0, 40.0)
     assert [motion.orbit, motion.spin] == pytest.approx([40, 40], rel=1e-14)
 
 
-def test_frequencies_of_the_6208(physics):  # values as printed in docs/theory, Numbers to reproduce
-    motion = physics.rolling(1.0)
+def test_frequencies_of_the_6208():  # values as printed in docs/theory, Numbers to reproduce
+    motion = rolling(1.0)
     found = [
         motion.orbit,
         9 * motion.orbit,
@@ -34,10 +34,10 @@ def test_frequencies_of_the_6208(physics):  # values as printed in docs/theory, 
     assert found == pytest.approx(list(frequencies(B6208)), rel=1e-13)
 
 
-def test_entrainment_of_the_errata(physics):  # 477.5 rpm gives 0.725 m/s, 0.41 m/s is 270 rpm
+def test_entrainment_of_the_errata():  # 477.5 rpm gives 0.725 m/s, 0.41 m/s is 270 rpm
     for rpm, expected in ((477.5, 0.725), (270.0, 0.41)):
         omega = rpm * 2 * np.pi / 60
-        motion = physics.rolling(omega)
+        motion = rolling(omega)
         # relative to the centre of the ball, the surfaces move with spin - orbit, at the same speed
         # at both contacts
         inner = abs((omega - motion.orbit) * (PITCH - BALL))

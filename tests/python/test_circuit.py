@@ -4,18 +4,14 @@ points and leakage are tested too."""
 
 import numpy as np
 import pytest
-from circuits import PICO, films, steady, turning
+from circuits import MOTOR, PICO, WEAK, films, steady, turning
 from raceway.electric import circuit
-from raceway.electric.breakdown import Breakdown
 from raceway.electric.films import series
 from raceway.electric.leak import relaxation_time
 from raceway.electric.outer import Floating, Motor, Source
 from raceway.electric.waveforms import Constant, Sine
 from references.circuit import STAGE
 from scipy.integrate import solve_ivp
-
-MOTOR = Motor(Sine(300.0, 2000.0), 50 * PICO, 1000 * PICO, second=200 * PICO)
-WEAK = Breakdown(30e6)
 
 
 def test_a_thick_film_takes_the_voltage():

@@ -7,17 +7,14 @@ import warnings
 
 import numpy as np
 import pytest
-from circuits import PICO, steady, turning
+from circuits import MOTOR, PICO, WEAK, steady, turning
 from raceway import core
 from raceway.electric import circuit
 from raceway.electric.breakdown import ROW, Breakdown
 from raceway.electric.films import series
-from raceway.electric.outer import Floating, Motor, Source
-from raceway.electric.waveforms import Constant, Sine
+from raceway.electric.outer import Floating, Source
+from raceway.electric.waveforms import Constant
 from raceway.errors import RunWarning
-
-MOTOR = Motor(Sine(300.0, 2000.0), 50 * PICO, 1000 * PICO, second=200 * PICO)
-WEAK = Breakdown(30e6)
 
 
 def redistribute(capacitance, outer, ball_charge, ring_charge, broken):

@@ -4,17 +4,14 @@
 import numpy as np
 import pytest
 import raceway
-from circuits import PICO, films, steady
+from circuits import MOTOR, PICO, WEAK, films, steady
 from raceway.electric import circuit
 from raceway.electric.breakdown import Breakdown
 from raceway.electric.films import of_dataset, of_run
 from raceway.electric.leak import Leak
-from raceway.electric.outer import Floating, Motor, Source
-from raceway.electric.waveforms import Constant, Sine
+from raceway.electric.outer import Floating, Source
+from raceway.electric.waveforms import Constant
 from raceway.errors import RunError
-
-MOTOR = Motor(Sine(300.0, 2000.0), 50 * PICO, 1000 * PICO, second=200 * PICO)
-WEAK = Breakdown(30e6)
 
 
 def test_an_open_film_carries_nothing():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film thickness is compared with Hamrock and Dowson's formula and with values of eq 6 computed by
-hand, and its slopes are tested."""
+"""Values by hand, the dimensionless group of a film, the order of its thicknesses, and the regimes;
+tests/physics compares the laws with theory."""
 
 import numpy as np
 import pytest
@@ -27,13 +27,6 @@ def test_by_hand():
         rel=1e-13,
     )
     assert film.h_c(1.0, g) == film.h_c(1.0, g, printed=True)
-
-
-@pytest.mark.parametrize("speed", [0.1, 0.725, 3.0])
-def test_central_film_agrees_with_hamrock_dowson(bearing, speed):  # 11-15 %, see docs/errata
-    for side in (INNER, OUTER):
-        r_x, g = group(bearing, side, speed)
-        assert film.h_c(r_x, g) == pytest.approx(film.hamrock_dowson_c(r_x, g), rel=0.16)
 
 
 def test_printed_signs_of_equation_9_do_not(bearing):
@@ -69,5 +62,5 @@ def test_unloaded_contact_is_an_error(bearing):
 
 def test_ratio_and_regimes():
     assert film.ratio(5e-7, 3e-7, 4e-7) == pytest.approx(1)
-    assert film.regime([0.5, 1.0, 3.0, 3.1]).tolist() == [0, 1, 1, 2]
+    assert film.regime([0.0, 0.999, 1.0, 2.0, 3.0, 3.001]).tolist() == [0, 0, 1, 1, 1, 2]
     assert film.regime(0.5, boundary=0.4, full=0.45) == 2

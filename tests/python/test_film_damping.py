@@ -41,24 +41,6 @@ def test_equation_5_is_far_above(bearing, top):
     assert found == pytest.approx([8680, 5200, 1280, 250], rel=0.01)
 
 
-def test_step(top):
-    k, h_c, _, elastic, _, b = top
-    one = film_damping.branch(k, h_c, elastic, b, SPEEDS)
-    assert one.stiffness == pytest.approx(0.44 * k * h_c / elastic, rel=1e-14)
-    assert one.time == pytest.approx(1.33 * b / SPEEDS, rel=1e-14)
-    approach = 1e-3
-    # two half steps equal one step; for a long step, the force is that of the dashpot; for a short
-    # step, it is that of the spring
-    half = film_damping.advance(5.0, one, approach, one.time / 2)[0]
-    twice = film_damping.advance(half, one, approach, one.time / 2)[0]
-    assert twice == pytest.approx(film_damping.advance(5.0, one, approach, one.time)[0], rel=1e-14)
-    force, slope = film_damping.advance(5.0, one, approach, 100 * one.time)
-    assert slope == pytest.approx(one.stiffness * one.time, rel=1e-12)
-    assert force == pytest.approx(slope * approach, rel=1e-12)
-    force, slope = film_damping.advance(0.0, one, approach, 1e-6 * one.time)
-    assert slope == pytest.approx(one.stiffness * 1e-6 * one.time, rel=1e-6)
-
-
 def test_at_rest_and_thick_films():
     rest = film_damping.branch(1e8, 1e-7, 1e-5, 2e-4, 0.0)
     assert rest.time == np.inf

@@ -55,21 +55,6 @@ def test_inlet_shear_of_the_rolling_torque():
     assert rolling.inlet_shear(loading) == pytest.approx(exact, rel=1e-14)
 
 
-def test_gupta_knows_sliding_and_its_range():
-    assert film_factors.gupta(1.0, 0.01, 0.1) < film_factors.gupta(1.0, 0.01)
-    assert film_factors.gupta(1.0, 0.01, -0.1) == film_factors.gupta(1.0, 0.01, 0.1)
-    with pytest.raises(ValueError, match="beyond the range of Gupta"):
-        film_factors.gupta(100.0, 0.0115)
-
-
-def test_flooded_inlet(inner):
-    modulus, r_x, r_y, kappa, _ = inner
-    _, b = hertz.semi_axes(hertz.exact(r_x, r_y), modulus, 2436.2)
-    for speed, expected in ((0.724764, 1.28), (14.4946, 1.96)):
-        h_c = film.h_c(r_x, film.group(*OIL, modulus, r_x, kappa, speed, 2436.2))
-        assert film_factors.flooded_inlet(r_x, b, h_c) == pytest.approx(expected, abs=0.005)
-
-
 def test_the_factor_of_rough_films_is_the_mean_of_a_gamma_distribution():
     for ratio in (2.5, 4.24, 13.09):
         one = stats.gamma(ratio**2, scale=1 / ratio**2)  # mean 1, standard deviation 1/ratio

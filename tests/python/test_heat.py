@@ -4,7 +4,7 @@ closed-form solutions."""
 
 import numpy as np
 import pytest
-from raceway import film, heat, hertz, makers, sliding
+from raceway import heat, hertz, makers, sliding
 from raceway.theory.bearing import INNER
 
 BOUNDARIES = {
@@ -69,20 +69,14 @@ def test_clearance_by_temperature(bearing):
 
 
 def test_flash(bearing):
-    """At 477.5 rpm and at 9549 rpm, the flash temperature rise is 2 K and 8 K, and the middle of
-    the film is 0.3 K and 41 K hotter than its surfaces."""
+    """At 477.5 rpm and at 9549 rpm, the flash temperature rise is 2 K and 8 K under the largest
+    heat flux of free rolling, 0.317 mu p s_e."""
     r_x, r_y = bearing.effective_radii(INNER)
     modulus, ellipse = bearing.effective_modulus, hertz.exact(r_x, r_y)
     a, b = hertz.semi_axes(ellipse, modulus, 2436.2)
     r_d = sliding.deformed_radius(bearing.inner_groove, bearing.ball_radius)
     peak = hertz.pressure(ellipse, modulus, 2436.2)
-    for speed, share, surface, middle, digits in (
-        (0.724764, 1.0, 2, 0.3, (0.5, 0.05)),
-        (14.4946, 0.86, 8, 41, (0.5, 0.5)),
-    ):
-        h_c = film.h_c(r_x, film.group(0.04, 22e-9, modulus, r_x, ellipse.kappa, speed, 2436.2))
+    for speed, share, surface in ((0.724764, 1.0, 2), (14.4946, 0.86, 8)):
         edge = sliding.edge_slip(speed, a, r_d, r_x)
-        flux = share * heat.greatest_flux(0.05, peak, edge)
-        assert flux == pytest.approx(share * 0.317 * 0.05 * peak * edge, rel=2e-3)
-        assert heat.flash(flux / 2, b, speed) == pytest.approx(surface, abs=digits[0])
-        assert heat.film_rise(flux, h_c, 0.134) == pytest.approx(middle, abs=digits[1])
+        flux = share * 0.317 * 0.05 * peak * edge
+        assert heat.flash(flux / 2, b, speed) == pytest.approx(surface, abs=0.5)

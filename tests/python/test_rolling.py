@@ -4,7 +4,7 @@ and closed-form solutions."""
 
 import numpy as np
 import pytest
-from raceway import drag, hertz, rolling
+from raceway import hertz, rolling
 from raceway.theory.bearing import INNER, OUTER
 from references import friction as reference
 from scipy.integrate import quad
@@ -69,16 +69,3 @@ def test_hysteresis(bearing):
     whole = quad(strip, -1, 1)[0]
     assert rolling.hysteresis_strips(2436.2, b, 0.01) == pytest.approx(whole, rel=1e-7)
     assert whole / line == pytest.approx(0.88, abs=0.005)
-
-
-def test_drag(bearing):
-    for reynolds, expected in reference.DRAG.items():
-        assert drag.coefficient(reynolds) == pytest.approx(expected, rel=1e-14)
-    assert drag.coefficient(np.sqrt(0.1)) == pytest.approx(np.sqrt(275 * 30), rel=1e-14)
-    assert drag.coefficient(0.01) == pytest.approx(2750, rel=1e-14)
-    assert drag.coefficient(1e7) == pytest.approx(0.45, rel=1e-14)
-    speed = 9549 * np.pi / 30 * 0.39604 * bearing.pitch_radius
-    force = drag.force(bearing.ball_radius, speed, 0.04, 870.0)
-    assert force == pytest.approx(0.3, abs=0.05)
-    assert drag.force(bearing.ball_radius, -speed, 0.04, 870.0) == -force
-    assert drag.force(bearing.ball_radius, 0.0, 0.04, 870.0) == 0

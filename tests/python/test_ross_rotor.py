@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A ROSS rotor is converted to the file of a flexible shaft.
 
-ROSS 2.3.0 wrote `ross_rotor.csv`, which contains the nonzero entries of the upper triangles of M0,
-K0 and G0. The rotor is a steel shaft of eight elements, each 50 mm long and 40 mm in diameter, with
+ROSS 2.3.0 computed `ross_rotor.csv`, which contains nonzero entries of the upper triangles of M0,
+K0 and G0: those of the first element and of the nodes in the middle and at the end. The rotor is a
+steel shaft of eight elements, each 50 mm long and 40 mm in diameter, with
 DiskElement.from_geometry(4, steel, 0.02, 0.04, 0.2). At both ends there are bearings with kxx = 2e8
 and kyy = 3e8.
 """
@@ -26,17 +27,26 @@ FREQUENCIES = {  # {spin in rad/s: frequencies in Hz from ROSS for two pairs of 
     0.0: (265.2845, 267.7216, 1059.7397, 1078.9096),
     1000.0: (265.2594, 267.7468, 961.1215, 1186.4734),
 }
+PARTS = (0, 12), (48, 6), (24, 6)  # first element, last node, node in the middle: place, size
 SIX = np.delete(np.arange(54), np.arange(5, 54, 6))  # the degrees of freedom of ROSS except rz
 
 
 def of_ross():
-    """Return keyword arguments for `rotor_matrices.rotor`."""
+    """Return keyword arguments for `rotor_matrices.rotor`. All elements are alike; the node in the
+    middle carries the disc."""
     found = {name: np.zeros((54, 54)) for name in "MKG"}
     with open(FILE) as file:
         for row in csv.DictReader(file):
             i, j, value = int(row["row"]), int(row["column"]), float(row["value"])
             found[row["matrix"]][i, j] = value
             found[row["matrix"]][j, i] = -value if row["matrix"] == "G" else value
+    for whole in found.values():
+        first, end, middle = (whole[k : k + n, k : k + n].copy() for k, n in PARTS)
+        for at in range(0, 48, 6):
+            whole[at : at + 6, at + 6 : at + 12] = first[:6, 6:]
+            whole[at + 6 : at + 12, at : at + 6] = first[6:, :6]
+            if at:
+                whole[at : at + 6, at : at + 6] = middle if at == 24 else first[:6, :6] + end
     return dict(z=Z, mass=found["M"], stiffness=found["K"], gyroscopic=found["G"])
 
 

@@ -44,11 +44,12 @@ def test_free_rolling(bearing):
 def test_slope_at_free_rolling(bearing):
     a, _, r_d, r_x = contact(bearing)
     for speed, slope in ((0.0725, 9.7e4), (0.725, 9.7e3), (14.4946, 480)):
-        found = sliding.free_slope(LOAD, FRICTION, speed, a, r_d, r_x)
+        free = sliding.free_slip(speed, a, r_d, r_x)
+        found = sliding.secant(free, LOAD, FRICTION, speed, a, r_d, r_x)
         assert found == pytest.approx(slope, rel=0.01)
         edge = sliding.edge_slip(speed, a, r_d, r_x)
         assert found * edge / (FRICTION * LOAD) == pytest.approx(3.80, abs=0.005)
-        free, step = sliding.free_slip(speed, a, r_d, r_x), 1e-6 * edge
+        step = 1e-6 * edge
         ends = [sliding.heathcote(free + side, LOAD, FRICTION, speed, a, r_d, r_x).force
                 for side in (-step, step)]  # fmt: skip
         assert (ends[1] - ends[0]) / (2 * step) == pytest.approx(found, rel=1e-8)
@@ -78,8 +79,6 @@ def test_secant(bearing, part):
         sliding.heathcote(slip, *arguments).force, abs=1e-11 * LOAD
     )
     assert found > 0
-    free = sliding.secant(sliding.free_slip(*arguments[2:]), *arguments)
-    assert free == pytest.approx(sliding.free_slope(*arguments), rel=1e-12)
 
 
 def test_limits(bearing):
@@ -96,23 +95,6 @@ def test_limits(bearing):
     # at rest the edge slip s_e is `LEAST` instead of zero, so the force is continuous
     rest = sliding.heathcote(np.array([-1e-9, 0.0, 1e-9]), LOAD, FRICTION, 0.0, a, r_d, r_x)
     assert np.abs(np.diff(rest.force)).max() < 0.02 * FRICTION * LOAD
-
-
-def test_spring_in_series():
-    secant, spring, distance = 9.7e3, 1.6e8, 1e-3
-    tau = secant / spring
-    steady = secant * distance
-    assert tau == pytest.approx(6e-5, rel=0.02)
-    # a short step gives the spring force, a long step gives the slip law, and two half steps equal
-    # one step
-    force, slope = sliding.in_series(0.0, distance, secant, spring, 1e-9)
-    assert force == pytest.approx(spring * distance * 1e-9, rel=1e-4)
-    assert slope == pytest.approx(spring * 1e-9, rel=1e-4)
-    force, slope = sliding.in_series(3.0, distance, secant, spring, 1.0)
-    assert (force, slope) == pytest.approx((steady, secant), rel=1e-13)
-    half = sliding.in_series(3.0, distance, secant, spring, tau / 2)[0]
-    whole = sliding.in_series(3.0, distance, secant, spring, tau)[0]
-    assert sliding.in_series(half, distance, secant, spring, tau / 2)[0] == pytest.approx(whole)
 
 
 # ---- spin --------------------------------------------------------------------------------------
@@ -159,16 +141,6 @@ def test_eyring():
     assert traction.eyring(1e5, -0.1, 1e-7, 5e6, 47e6) == -47e6
     value = traction.eyring(10.0, 0.1, 1e-7)
     assert np.sinh(value / 5e6) * 5e6 == pytest.approx(10.0 * 0.1 / 1e-7, rel=1e-12)
-
-
-def test_bair_winer():
-    slid = np.array([-0.2, 1e-9, 0.05, 0.3])
-    stress = traction.bair_winer(10.0, slid, 1e-7, 5e7)
-    assert traction.bair_winer_rate(10.0, stress, 5e7) == pytest.approx(slid / 1e-7, rel=1e-6)
-    assert stress[1] == pytest.approx(10.0 * 1e-9 / 1e-7, rel=1e-6)
-    assert np.all(np.abs(stress) < 5e7)
-    with pytest.raises(ValueError, match="must be below its limit"):
-        traction.bair_winer_rate(10.0, 5e7, 5e7)
 
 
 @pytest.mark.parametrize(("speed", "h_c", "slide_roll"), [(0.0725, 32e-9, 0.08),

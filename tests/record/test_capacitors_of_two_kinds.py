@@ -4,7 +4,7 @@ bearings of different sizes and oils in a deck have bitwise the same capacitance
 
 import numpy as np
 import pytest
-from host import deck_file, liggghts, refused, succeed
+from host import box, deck_file, liggghts, refused, succeed
 from scipy.io import netcdf_file
 
 KINDS = {
@@ -18,16 +18,8 @@ COLUMNS = ("capacitance", "capacitance_total", "h_c")
 
 def deck(names):
     lines = [f"bearing {name} {KINDS[name]} cage no" for name in names]
-    lines += """units si
-atom_style sphere
-atom_modify map array sort 0 0.0
-newton off
-boundary f f f
-region box block -0.06 0.2 -0.06 0.06 -0.06 0.06 units box
-create_box 8 box
-neighbor 2.0e-3 bin
-neigh_modify delay 0 every 1 check yes
-pair_style bearing oil vg46 temperature 60 models full""".splitlines()
+    lines += [box("-0.06 0.2 -0.06 0.06 -0.06 0.06", types=8)]
+    lines += ["pair_style bearing oil vg46 temperature 60 models full"]
     lines += [f"pair_coeff * * {name} oil {OILS[name]}" for name in names]
     lines += [f"create_bearing {name} centre {PLACE[name]} 0 0 speed 200 0" for name in names]
     for name in names:

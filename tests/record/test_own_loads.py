@@ -7,25 +7,12 @@ import math
 import numpy as np
 import pytest
 import raceway
-from host import deck_file, succeed
+from host import deck_file, named_bearing, succeed
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
 RAD_S = math.pi / 30
-DECK = """
-bearing b 6208 types 1 2 3 4 clearance 1.0e-5
-units si
-atom_style sphere
-atom_modify map array sort 0 0.0
-newton off
-boundary f f f
-region box block -0.05 0.05 -0.05 0.05 -0.05 0.25 units box
-create_box 4 box
-neighbor ${b_skin} nsq
-neigh_modify delay 0 every 1 check yes
-pair_style bearing oil vg46 temperature 60 models full
-pair_coeff * * b
-"""
+DECK = named_bearing(sides="-0.05 0.05 -0.05 0.05 -0.05 0.25")
 END = """
 fix cage cage bearing/cage b
 fix move all bearing/implicit

@@ -9,7 +9,7 @@ import re
 import numpy as np
 import pytest
 from commands import reply
-from host import ROOT, deck_file, run, succeed
+from host import ROOT, deck_file, named_bearing, run, succeed
 from raceway.runs.statics import statics
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
@@ -141,19 +141,9 @@ def test_two_bearings_on_a_shaft(tmp_path):
     assert names == [("6208", "vg46"), ("6306", "grease110")]
 
 
-PAIR = """
-bearing b 7205B types 1 2 3 4
-units si
-atom_style sphere
-atom_modify map array sort 0 0.0
-newton off
-boundary f f f
-region box block -0.06 0.06 -0.06 0.06 -0.05 0.15 units box
-create_box 4 box
-neighbor ${b_skin} nsq
-neigh_modify delay 0 every 1 check yes
-pair_style bearing oil vg46 temperature 60 models full
-pair_coeff * * b
+PAIR = (
+    named_bearing("7205B", clearance=0, sides="-0.06 0.06 -0.06 0.06 -0.05 0.15")
+    + """
 create_bearing b speed 314.0 0 thrust 300
 create_bearing b centre 0 0 0.1 speed 314.0 0 thrust -300
 fix rails cage bearing/cage b
@@ -165,6 +155,7 @@ fix move all bearing/implicit
 fix record all bearing/record pass/40 ${out} overwrite yes
 run_bearing settle 10 passes 1
 """
+)
 
 
 def test_preloaded_pair(tmp_path):

@@ -68,7 +68,7 @@ inline double pocket_stiffness(bool spherical, double ball_radius, double play, 
 inline double land_stiffness(const LandGap &land, double Eprime)
 {
   const double r = land.radius;
-  return hertz_contact(r * (r + land.clearance) / land.clearance, r, Eprime, Ellipse::exact).K;
+  return hertz_contact(r, r * (r + land.clearance) / land.clearance, Eprime, Ellipse::exact).K;
 }
 
 // Position and motion of the cage. e is its axis, and `angle` is its rotation (rad) about e since

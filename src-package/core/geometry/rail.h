@@ -41,7 +41,7 @@ inline double rail_stiffness(const Rail &rail, double ball_radius, double pitch,
       pitch + ball_radius * cos_seat;    // radius of the contact point about the axis
   const double along = 1.0 / ball_radius - cos_seat / contact_radius;
   const double across = 1.0 / ball_radius + 1.0 / rail.tube;
-  return hertz_contact(1.0 / along, 1.0 / across, Eprime, Ellipse::exact).K;
+  return hertz_contact(1.0 / across, 1.0 / along, Eprime, Ellipse::exact).K;
 }
 
 // Contact of one cage ball with one rail in the meridional plane of the ring, for a ball centre at

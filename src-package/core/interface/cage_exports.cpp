@@ -15,11 +15,13 @@ FORMULA(double, pocket_shear, (double viscosity, double ball_radius, double play
                                filled);
 }
 
-// `width` is the total width of both lands, in m. The cage is assumed to be centred.
+// `width` is the total width of both lands, in m. The cage is off centre by `share` of the
+// clearance.
 FORMULA(double, land_couple,
-        (double viscosity, double radius, double clearance, double width, double filled))
+        (double viscosity, double radius, double clearance, double width, double filled,
+         double share))
 {
-  return raceway::land_couple({radius, clearance, width, 1, viscosity, filled}, 0.0);
+  return raceway::land_couple({radius, clearance, width, 1, viscosity, filled}, share);
 }
 
 FORMULA(double, cage_churning,

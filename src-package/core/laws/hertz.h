@@ -132,19 +132,13 @@ inline double reduced_modulus(double E1, double nu1, double E2, double nu2)
 
 inline HertzContact hertz_contact(double Rx, double Ry, double Eprime, Ellipse form)
 {
-  const bool swapped = Ry < Rx;
-  const double alpha = swapped ? Rx / Ry : Ry / Rx;
   HertzContact h;
-  h.ellipse =
-      form == Ellipse::exact ? exact_ellipse_major(alpha) : fitted_ellipse_major(alpha, form);
+  h.ellipse = contact_ellipse(Rx, Ry, form);
   h.R = hertz_radius(Rx, Ry);
   h.K = hertz_stiffness(h.ellipse, h.R, Eprime);
-  const double major = hertz_semi_axis(h.ellipse, h.R, Eprime, h.K), k = h.ellipse.kappa;
-  const double minor = major / k;
-  h.a = swapped ? minor : major;
-  h.b = swapped ? major : minor;
-  if (swapped) h.ellipse.kappa = 1.0 / k;
-  h.p = hertz_pressure(h.K, major, minor);
+  h.a = hertz_semi_axis(h.ellipse, h.R, Eprime, h.K);
+  h.b = h.a / h.ellipse.kappa;
+  h.p = hertz_pressure(h.K, h.a, h.b);
   return h;
 }
 

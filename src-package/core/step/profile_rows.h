@@ -8,40 +8,53 @@
 
 namespace raceway {
 
+// Adds second-order terms to the matrix: with the motions p along the row `approach` and q along
+// the row `path` (the first n of 6 numbers count), the energy cross p q + side q^2/2. The ring's
+// degree of freedom `dof` moves the contact by changes(row, dof) along a row.
+template <int n, class Changes>
+static inline void add_rows(BearingSystem &system, BodyGroup &g, int group, const RingBody &ring,
+                            const TurnRowT<Lane> &approach, const TurnRowT<Lane> &path,
+                            const Lane &cross, const Lane &side, const Changes &changes)
+{
+  Lane G[6], t[6];
+  approach.v.to(G);
+  approach.w.to(G + 3);
+  path.v.to(t);
+  path.w.to(t + 3);
+  for (int m = 0; m < n; ++m)
+    for (int k = 0; k < n; ++k)
+      g.A[6 * m + k] += cross * (G[m] * t[k] + t[m] * G[k]) + side * t[m] * t[k];
+  if (!ring.loose) return;
+  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
+    const int u = ring.column[dof];
+    if (u < 0) continue;
+    const Lane along = changes(path, dof), near = changes(approach, dof), force_G = cross * along,
+               force_t = cross * near + side * along;
+    Lane *B = system.B(group, u), *C = system.C(group, u);
+    for (int k = 0; k < n; ++k) {
+      const Lane both = G[k] * force_G + t[k] * force_t;
+      B[k] -= both;
+      C[k] -= both;
+    }
+    for (int o = 0; o < RingProgram::N_DOF; ++o)
+      if (ring.column[o] >= 0)
+        system.D(ring.column[o], u) +=
+            sum(changes(approach, o) * force_G + changes(path, o) * force_t);
+  }
+}
+
 // Adds the contribution that is not included in the rows' profile slope: the change of the slope
 // along the path of the ball's centre. h2 (s^2) is 0 without contact.
 static inline void add_profile(BearingSystem &system, BodyGroup &g, int group, const RingBody &ring,
                                const Vec3L &d, const Vec3L &e, const ContactStateT<Lane> &c,
                                const Lane &h2, const ProfiledContactT<Lane> &on)
 {
-  const Lane cross = h2 * on.cross, side = h2 * (on.side - c.normal * on.bend);
-  const Vec3L along = c.t, approach = c.u * c.nu + e * c.ne - along * on.slope;
-  Lane G[3], t[3];
-  approach.to(G);
-  along.to(t);
-  for (int m = 0; m < 3; ++m)
-    for (int k = 0; k < 3; ++k)
-      g.A[6 * m + k] += cross * (G[m] * t[k] + t[m] * G[k]) + side * t[m] * t[k];
-  if (!ring.loose) return;
   const Vec3L lever = lever_of(ring, e, d);
-  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
-    const int u = ring.column[dof];
-    if (u < 0) continue;
-    const Vec3L v = motion_of(dof, g.now, e, lever);
-    const Lane path = dot(along, v), near = dot(approach, v), force_G = cross * path,
-               force_t = cross * near + side * path;
-    Lane *B = system.B(group, u), *C = system.C(group, u);
-    for (int k = 0; k < 3; ++k) {
-      const Lane both = G[k] * force_G + t[k] * force_t;
-      B[k] -= both;
-      C[k] -= both;
-    }
-    for (int o = 0; o < RingProgram::N_DOF; ++o) {
-      if (ring.column[o] < 0) continue;
-      const Vec3L w = motion_of(o, g.now, e, lever);
-      system.D(ring.column[o], u) += sum(dot(approach, w) * force_G + dot(along, w) * force_t);
-    }
-  }
+  add_rows<3>(system, g, group, ring, {c.u * c.nu + e * c.ne - c.t * on.slope, Vec3L()},
+              {c.t, Vec3L()}, h2 * on.cross, h2 * (on.side - c.normal * on.bend),
+              [&](const TurnRowT<Lane> &row, int dof) {
+                return dot(row.v, motion_of(dof, g.now, e, lever));
+              });
 }
 
 static inline void put_lane(int i, const ProfiledContact &one, ProfiledContactT<Lane> &on)
@@ -62,38 +75,13 @@ static inline void add_ball_profile(BearingSystem &system, BodyGroup &g, int gro
                                     const ContactStateT<Lane> &c, const Lane &h2, const Lane &slope,
                                     const TurnRowT<Lane> &depth, const BallSlopesT<Lane> &b)
 {
-  const Lane cross = h2 * b.cross, side = h2 * (b.side - c.normal * b.bend);
-  const TurnRowT<Lane> path = turn_row(b.path_along, b.path_across, e, c),
-                       approach = {c.u * c.nu + e * c.ne - c.t * slope - depth.v, -depth.w};
-  Lane G[6], t[6];
-  approach.v.to(G);
-  approach.w.to(G + 3);
-  path.v.to(t);
-  path.w.to(t + 3);
-  for (int m = 0; m < 6; ++m)
-    for (int k = 0; k < 6; ++k)
-      g.A[6 * m + k] += cross * (G[m] * t[k] + t[m] * G[k]) + side * t[m] * t[k];
-  if (!ring.loose) return;
   const Vec3L lever = lever_of(ring, e, d);
-  const auto changes = [&](const TurnRowT<Lane> &row, int dof) {
-    return dot(row.v, motion_of(dof, g.now, e, lever)) + dot(row.w, rotation_of(dof, g.now, e));
-  };
-  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
-    const int u = ring.column[dof];
-    if (u < 0) continue;
-    const Lane turned = changes(path, dof), near = changes(approach, dof), force_G = cross * turned,
-               force_t = cross * near + side * turned;
-    Lane *B = system.B(group, u), *C = system.C(group, u);
-    for (int k = 0; k < 6; ++k) {
-      const Lane both = G[k] * force_G + t[k] * force_t;
-      B[k] -= both;
-      C[k] -= both;
-    }
-    for (int o = 0; o < RingProgram::N_DOF; ++o)
-      if (ring.column[o] >= 0)
-        system.D(ring.column[o], u) +=
-            sum(changes(approach, o) * force_G + changes(path, o) * force_t);
-  }
+  add_rows<6>(system, g, group, ring, {c.u * c.nu + e * c.ne - c.t * slope - depth.v, -depth.w},
+              turn_row(b.path_along, b.path_across, e, c), h2 * b.cross,
+              h2 * (b.side - c.normal * b.bend), [&](const TurnRowT<Lane> &row, int dof) {
+                return dot(row.v, motion_of(dof, g.now, e, lever)) +
+                       dot(row.w, rotation_of(dof, g.now, e));
+              });
 }
 
 // Finds the positions of the contacts on the profiles of the ring and of the balls.

@@ -51,7 +51,7 @@ def resistance(
         play = cage.play or float(laws.usual_play()) * bearing.ball_diameter
         shear = float(laws.pocket_shear(oil, radius, play, cage.filled))
     if cage.land is not None and "land" not in cage.without:
-        land = float(laws.land_couple(oil, *cage.land, cage.filled))
+        land = float(laws.land_couple(oil, *cage.land, cage.filled, 0.0))
     if "churning" not in cage.without:
         about = share, fluid.density, oil, bearing.pitch_radius, radius
         churning = np.sign(orbit) * laws.cage_churning(*about, np.abs(orbit))

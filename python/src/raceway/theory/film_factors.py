@@ -53,10 +53,3 @@ def gupta(loading: Numbers, pressure: Numbers, slide_roll: Numbers = 0.0) -> Num
 def wilson(loading: Numbers) -> Numbers:
     """Return the film factor 1/(1 + 0.1 L^0.64) (Wilson 1979)."""
     return laws.inlet_shear(WILSON, loading)
-
-
-def flooded_inlet(r_x: Numbers, b: Numbers, h_c: Numbers) -> Numbers:
-    """Return m* = 1 + 3.06 ((R_x/b)^2 h_c/R_x)^0.58: a contact is fully flooded if its inlet
-    meniscus is farther than m* b away (Hamrock and Dowson; from memory, unchecked). Lengths are in
-    m."""
-    return 1 + 3.06 * ((r_x / b) ** 2 * h_c / r_x) ** 0.58

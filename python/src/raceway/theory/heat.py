@@ -17,7 +17,6 @@ from raceway.theory import makers
 from raceway.theory.bearing import Bearing
 from raceway.theory.lubricant import Fluid
 from raceway.theory.lubrication import Lubrication
-from raceway.theory.sliding import FREE
 from raceway.theory.static import Equilibrium
 
 RISE = 50.0  # K, temperature rise over ambient at the reference conditions of ISO 15312
@@ -215,23 +214,6 @@ def flash(flux: Numbers, b: Numbers, speed: Numbers) -> Numbers:
     steel = laws.steel_of_bearings()
     conductor = float(steel.conductivity * steel.density * steel.heat)
     return 1.128 * flux * np.sqrt(2 * b / (conductor * speed))
-
-
-def film_rise(flux: Numbers, thickness: Numbers, conductivity: Numbers) -> Numbers:
-    """Return how much the temperature in the middle of the film exceeds that of the surfaces,
-    q_total h/(8 k_f) in K, where q_total in W/m^2 is the heat generated in the film."""
-    return flux * thickness / (8 * conductivity)
-
-
-def greatest_flux(friction: Numbers, pressure: Numbers, edge: Numbers) -> Numbers:
-    """Return the largest mu p |s| on the ellipse in free rolling, 0.317 mu p_max s_e, in W/m^2.
-
-    Here p = p_max sqrt(1 - t^2) and |s| = s_e |t^2 - 0.120615|. `pressure` is p_max in Pa and
-    `edge` is s_e in m/s.
-    """
-    # with x = t^2, sqrt(1 - x) (x - x0) is largest at x = (2 + x0)/3
-    place = (2 + FREE**2) / 3
-    return np.sqrt(1 - place) * (place - FREE**2) * friction * pressure * edge
 
 
 def reference_speed(boundary: makers.Boundary, level: float = 0.0) -> float:

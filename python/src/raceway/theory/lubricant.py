@@ -136,15 +136,6 @@ class Lubricant:
         )
 
 
-def fva3(pressure: Numbers, temperature: Numbers) -> Numbers:
-    """Return the viscosity in Pa s of the reference oil FVA 3 under `pressure` in Pa (Schwarz et
-    al. 2023, table A1): eta_0 exp(p/(327.7918 + 2.9862 T + (4.419e-3 + 3.0115e-4 T) p)), with p in
-    bar."""
-    bar = pressure / 1e5
-    divisor = 327.7918 + 2.9862 * temperature + (4.419e-3 + 3.0115e-4 * temperature) * bar
-    return 0.062e-3 * np.exp(1021.7 / (temperature + 101.5517) + bar / divisor)
-
-
 def roelands_exponent(viscosity: Numbers, pressure_viscosity: Numbers) -> Numbers:
     """Return the exponent z = 1.96e8 xi/(ln eta_0 + 9.67), with which Roelands and Barus have equal
     slopes at p = 0."""
@@ -155,9 +146,3 @@ def roelands(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers)
     """Return the viscosity eta in Pa s under `pressure` p in Pa (Roelands 1966): ln eta = ln eta_0
     + (ln eta_0 + 9.67) ((1 + p/1.96e8)^z - 1)."""
     return laws.roelands(viscosity, pressure_viscosity, pressure)
-
-
-def barus(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers) -> Numbers:
-    """Return the viscosity eta_0 exp(xi p) in Pa s (Barus 1893). The law should be used for the
-    inlet only, because it gives much too high values at Hertz pressures."""
-    return viscosity * np.exp(pressure_viscosity * pressure)

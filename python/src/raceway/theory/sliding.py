@@ -76,13 +76,6 @@ def free_power(
     return FREE_SPEED * friction * load * edge_slip(speed, a, r_d, r_x)
 
 
-def free_slope(
-    load: Numbers, friction: Numbers, speed: Numbers, a: Numbers, r_d: Numbers, r_x: Numbers
-) -> Numbers:
-    """Return dF/d(slip) in free rolling, 3.80 mu Q/s_e, in N s/m."""
-    return LEAN * friction * load / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
-
-
 def creep(a: Numbers, r_d: Numbers, r_x: Numbers) -> Numbers:
     """Return v0/u = a^2/(7.60 R_d R_x), where v0 is the width of the smoothed Coulomb law F = mu Q
     s/v0 whose slope equals that in free rolling."""
@@ -102,21 +95,6 @@ def secant(
     this is the slope."""
     law = laws.differential_slip(_off(slip, speed, a, r_d, r_x))
     return friction * load * law.secant / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
-
-
-def in_series(
-    force: Numbers, distance: Numbers, secant: Numbers, spring: Numbers, step: Numbers
-) -> tuple[Numbers, Numbers]:
-    """Return (force in N after `step` in s, its slope k_t tau (1 - e^(-step/tau)) in N s/m).
-
-    The slip law is in series with a tangential spring k_t in N/m: tau = c/k_t with c = `secant` in
-    N s/m. `distance` is the deviation of the slip from free rolling in m/s, which is constant over
-    the step. The result tends to the slip law for long steps and to a spring for short steps, and
-    sticks at zero speed.
-    """
-    tau = secant / spring
-    gone = -np.expm1(-step / tau)
-    return force + (secant * distance - force) * gone, spring * tau * gone
 
 
 def _off(slip, speed, a, r_d, r_x):

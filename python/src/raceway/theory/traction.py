@@ -75,26 +75,6 @@ def combined(
     return power / (pressure * sliding * area).sum((-2, -1))
 
 
-def bair_winer(viscosity: Numbers, sliding: Numbers, thickness: Numbers, limit: Numbers) -> Numbers:
-    """Return the stress tau = tau_L (1 - exp(-eta s/(h tau_L))) in Pa, which is odd in s, with the
-    limit tau_L = `limit` in Pa.
-
-    This is the inverse of `bair_winer_rate`.
-    """
-    return -np.sign(sliding) * limit * np.expm1(-viscosity * np.abs(sliding) / (thickness * limit))
-
-
-def bair_winer_rate(viscosity: Numbers, stress: Numbers, limit: Numbers) -> Numbers:
-    """Return the shear rate s/h = -(tau_L/eta) ln(1 - tau/tau_L) in 1/s (Bair and Winer 1979).
-
-    Eq 6 of Schwarz et al. 2023 lacks the minus sign. Raises `ValueError` unless the stress is below
-    its limit.
-    """
-    if np.any(np.abs(stress) >= limit):
-        raise ValueError(f"shear stress {stress} Pa must be below its limit {limit} Pa")
-    return -np.sign(stress) * limit / viscosity * np.log1p(-np.abs(stress) / limit)
-
-
 def mixed(share: Numbers, boundary: Numbers, film: Numbers) -> Numbers:
     """Return the coefficient mu = L_a mu_b + (1 - L_a) mu_film with L_a = `share` (see
     `asperity`)."""
