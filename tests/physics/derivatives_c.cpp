@@ -102,7 +102,7 @@ EXPORT(void, flawed_system,
   model.rings = {{2, 0, {}}};
   BallPitShape pit;
   static_cast<NotchShape &>(pit) = shape;
-  const BallProfile ball({{pit}, {{7, 2e-7, 0.2}}}, outer.groove.ball_radius, rolling, ellipse,
+  const BallProfile ball({{pit}, {{7, 2e-7, 0.2}}, {}}, outer.groove.ball_radius, rolling, ellipse,
                          outer.law.radial().K);
   model.grooves = {{0, 0, &outer, of_ball ? nullptr : &profile, of_ball ? &ball : nullptr}};
   model.parts = outer.parts;

@@ -111,7 +111,7 @@ EXPORT(void, matrix_kept, (int again, const double matrix[48], double restored[4
   BearingBodies b(model);
   b.rings[0].program.mode[0] = b.rings[0].program.mode[1] = Freedom::free;
   b.rings[0].program.mass = 0.2;
-  b.load({BodyPose{{30e-3, 0.0, 0.0}, {}, {}}}, {RingPose()});
+  b.load({BodyPose{{30e-3, 0.0, 0.0}, {}, {}, {}}}, {RingPose()});
   b.start();
   BearingSystem system(b);
   const auto each = [&](const auto &act) {
