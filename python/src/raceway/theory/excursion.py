@@ -80,7 +80,7 @@ def excursion(
     if np.ndim(state.inner.load) != 1:
         return None
     sides = [cage_speed.Rolling(one.load, one.angle, one.a) for one in (state.inner, state.outer)]
-    loaded = (sides[INNER].load > 0) & (sides[OUTER].load > 0)
+    loaded = state.inner.heavy & state.outer.heavy
     if not loaded.any():
         return None
     own = np.asarray(cage_speed.rolling(bearing, *sides, tilted=True))

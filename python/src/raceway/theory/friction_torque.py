@@ -154,7 +154,7 @@ def losses(
         bearing.pitch_radius,
     )
     rows = [
-        _one(bearing, side, contact, film, fluid, clearance, surfaces, unloaded[:4])
+        _one(bearing, side, contact, film, fluid, clearance, surfaces, unloaded)
         for side, contact, film in zip(bearing.raceways, contacts, wet)
     ]
     rolled, slid, hysteresis, share, friction = (np.array(part) for part in zip(*rows))
@@ -182,7 +182,7 @@ def losses(
             )
             turned[pair, balls] = motion.moment * np.abs(motion.spin)
             if bearing.layout == Layout():
-                back = contacts, ring, motion, balls, unloaded, ball_density
+                back = contacts, ring, motion, balls, unloaded.frequency, ball_density
                 turned[inner] += _turned_back(bearing, *back)
             slid[pair, balls] *= spin.closed_slip(motion.spin * both.a, edge)
             slid[pair, balls] += motion.force * motion.across
@@ -219,25 +219,20 @@ def losses(
     return Losses(rolled, slid, turned, hysteresis, balls, lost, share, friction, advance)
 
 
-def _turned_back(bearing, contacts, ring, motion, balls, unloaded, density):
-    """Return the power (Z,) in W of balls that have regained their load in a bearing with one row
-    and one groove per ring. Without load they roll on the outer raceway about the bearing's axis.
-    Friction turns them to the rotation of the loaded ball ahead, one of `balls` in the `motion` of
-    `attitude`, and dissipates J/2 (change of rotation)^2, as it does for a body on a moving
-    belt."""
-    lost = np.zeros(len(bearing.row))
-    (back,) = np.nonzero(unloaded.frequency)
-    ahead = unloaded.ahead[back]
-    moving = np.searchsorted(balls, ahead)
-    radial, orbit = motion.radial[moving], motion.orbit[moving]
+def _turned_back(bearing, contacts, ring, motion, balls, frequency, density):
+    """Return the power (Z,) in W of balls that regain their load at the rates `frequency` (Z,) in
+    1/s, in a bearing with one row and one groove per ring. Without load they roll on the outer
+    raceway about the bearing's axis. In the load zone, friction turns them to the rotation of the
+    ball with the largest load, one of `balls` in the `motion` of `attitude`. It dissipates J/2
+    (change of rotation)^2, as if a body at rest were set on a moving belt."""
+    top = balls[np.argmax(contacts[0].load[balls])]
+    radial, orbit = (one[balls == top] for one in (motion.radial, motion.orbit))
     inner, outer = (one.angle for one in contacts)
     sizes = ring, bearing.ball_radius, bearing.pitch_radius
-    axial = laws.rolling_on_both(inner[ahead], outer[ahead], *sizes, radial).axial
-    before = -orbit * bearing.pitch_radius / (bearing.ball_radius * np.cos(outer[back]))
+    axial = laws.rolling_on_both(inner[top], outer[top], *sizes, radial).axial
+    alone = -orbit * bearing.pitch_radius / (bearing.ball_radius * np.cos(outer))
     inertia = 8 / 15 * np.pi * bearing.ball_radius**5 * density
-    change = radial**2 + (axial - before) ** 2
-    lost[back] = inertia / 2 * change * unloaded.frequency[back]
-    return lost
+    return inertia / 2 * (radial**2 + (axial - alone) ** 2) * frequency
 
 
 def _by_groove(side):

@@ -269,14 +269,11 @@ def _wide(body):
 def _doubts(state, friction, needed, ahead):
     """Return the values on which the accuracy of the friction torque depends, with the names in
     `validity.TORQUE`."""
-    inner = np.atleast_2d(state.inner.load)
-    heavy = state.inner.heavy | state.outer.heavy
-    angle = np.abs(np.vstack([state.inner.angle, state.outer.angle]))
-    tilted = angle[np.vstack([heavy, heavy])].max() > 1e-3
+    tilted = max(np.abs(one.angle[one.heavy]).max() for one in (state.inner, state.outer)) > 1e-3
     return dict(
         pockets=0.0 if ahead is None else ahead.needed / ahead.play,
         gyroscopic=(needed / _available(state, friction)).max(),
-        unloaded=np.mean(~(inner > 0).any(0)) if tilted else 0.0,
+        unloaded=np.mean(~np.atleast_2d(state.inner.heavy).any(0)) if tilted else 0.0,
     )
 
 

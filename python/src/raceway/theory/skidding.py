@@ -21,7 +21,6 @@ class Unloaded(NamedTuple):
     since: Floats  # s, time since the ball lost its load
     until: Floats  # s, unloaded time of the ball that regains its load next; 0 for other balls
     frequency: Floats  # 1/s, rate at which balls regain their load at this position
-    ahead: np.ndarray  # (Z,), index of the loaded ball ahead of a ball that regains its load next
 
 
 def unloaded(
@@ -31,7 +30,7 @@ def unloaded(
     in rad, and `row` contains the row numbers; the balls orbit at `orbit` rad/s on a circle of
     radius `pitch` (m). The load zone is assumed to end midway between two balls. In a row without
     load, balls are never loaded."""
-    found = Unloaded(*np.zeros((4, len(loaded))), np.zeros(len(loaded), int))
+    found = Unloaded(*np.zeros((4, len(loaded))))
     found.speed[~loaded] = abs(orbit) * pitch
     for one in np.unique(row):
         (balls,) = np.nonzero(row == one)
@@ -48,7 +47,6 @@ def unloaded(
             if held[place - 1]:
                 found.until[balls[place]] = behind * step
                 found.frequency[balls[place]] = 1 / step
-                found.ahead[balls[place]] = balls[place - 1]
     return found
 
 

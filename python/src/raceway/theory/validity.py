@@ -57,12 +57,12 @@ class Doubt(NamedTuple):
 
 
 # Play that the balls need over that of the pockets; coefficient of friction needed against the
-# gyroscopic moment over the available one; fraction of balls without load in a bearing whose
+# gyroscopic moment over the available one; fraction of balls with hardly any load in a bearing whose
 # contact angles are not zero
 TORQUE = {
     "pockets": Doubt(0.8, 0.65, 3.0, "balls press against their cage"),
     "gyroscopic": Doubt(0.9, 0.95, 2.5, "gyroscopic moments turn the balls"),
-    "unloaded": Doubt(0.0, 0.9, 1.25, "balls lose and regain their load"),
+    "unloaded": Doubt(0.0, 0.85, 1.4, "balls lose and regain their load"),
 }
 AGREES = 0.05  # largest relative difference without such a reason
 
