@@ -179,9 +179,9 @@ load to about twice the axial load. A thrust, however, loads all balls, and a ra
 moves load from one half of them to the other: if a radial load of 0.05 :math:`C_0` is added to a
 thrust of 0.1 :math:`C_0` on a 7208B at 1000 rpm, SKF's rolling torque rises by 13 %, whereas that
 in statics falls by 4 %, as it grows more slowly than the load. Runs whose ring cannot tilt have the
-same torque as statics within 1 % (``tests/scenarios/test_statics_and_runs.py``). Sliding grows with the square of the
-contact width and thus depends on the conformity of the grooves, which no catalogue states (see
-below).
+same torque as statics within 1 % (``tests/scenarios/test_statics_and_runs.py``). Sliding grows with
+the square of the contact width and thus depends on the conformity of the grooves, which no
+catalogue states (see below).
 
 *Balls restrained by the cage*: under a combined load, a ring that is free to tilt makes the balls
 of a 7205B and a 7208B run 1.4 to 2.1 mm ahead of and behind one another in pockets with a play of

@@ -57,8 +57,8 @@ class Doubt(NamedTuple):
 
 
 # Play that the balls need over that of the pockets; coefficient of friction needed against the
-# gyroscopic moment over the available one; fraction of balls with hardly any load in a bearing whose
-# contact angles are not zero
+# gyroscopic moment over the available one; fraction of balls with hardly any load, if contact
+# angles are not zero
 TORQUE = {
     "pockets": Doubt(0.8, 0.65, 3.0, "balls press against their cage"),
     "gyroscopic": Doubt(0.9, 0.95, 2.5, "gyroscopic moments turn the balls"),
@@ -76,8 +76,9 @@ def torque_range(values: Mapping[str, float]) -> tuple[float, float, list[str]]:
     high = max([1 + AGREES, *(one.high for one in known)])
     if not known:
         return low, high, []
+    times = f"{low:g} to {high:g} times"
     why = " and ".join(one.why for one in known)
-    return low, high, [f"the torque of a run may be {low:g} to {high:g} times that of statics: {why}"]
+    return low, high, [f"the torque of a run may be {times} that of statics: {why}"]
 
 
 def doubts(values: Mapping[str, float | None]) -> list[str]:
