@@ -68,15 +68,15 @@ def excursion(
     per ring. The inner ring turns at `speed` (rad/s), and the outer ring is at rest. Returns None
     for other bearings, or if no ball is loaded.
 
-    Each ball rolls at its own contact angles (`cage_speed.rolling`); unloaded balls move at the
-    mean speed. The advance of a ball is R times the integral of 1 - w_c/w over the azimuth, where w
-    is the ball's speed and w_c is the harmonic mean of the speeds of all balls, which makes the
-    advance periodic over a turn. A cage that is not `centred` by a land shifts in its plane to
-    where its spherical pockets leave the balls the most room. If the excursion then needs more than
-    `play` (m; by default the estimate used in runs), a ball is restrained by (1 - play/needed) (w -
-    w_c) R at both raceways. The traction due to this slip, by Heathcote's law with the coefficients
-    `friction` (2, Z), presses the ball against its pocket. The cage speed is the speed at which
-    these forces balance.
+    Each ball rolls at its own contact angles (`cage_speed.rolling`); balls with hardly any load
+    move at the mean speed. The advance of a ball is R times the integral of 1 - w_c/w over the
+    azimuth, where w is the ball's speed and w_c is the harmonic mean of the speeds of all balls,
+    which makes the advance periodic over a turn. A cage that is not `centred` by a land shifts in
+    its plane to where its spherical pockets leave the balls the most room. If the excursion then
+    needs more than `play` (m; by default the estimate used in runs), a ball is restrained by (1 -
+    play/needed) (w - w_c) R at both raceways. The traction due to this slip, by Heathcote's law
+    with the coefficients `friction` (2, Z), presses the ball against its pocket. The cage speed is
+    the speed at which these forces balance.
     """
     if np.ndim(state.inner.load) != 1:
         return None

@@ -269,7 +269,8 @@ def _wide(body):
 def _doubts(state, friction, needed, ahead):
     """Return the values on which the accuracy of the friction torque depends, with the names in
     `validity.TORQUE`."""
-    tilted = max(np.abs(one.angle[one.heavy]).max() for one in (state.inner, state.outer)) > 1e-3
+    sides = (state.inner, state.outer)
+    tilted = any(np.any(np.abs(one.angle[one.heavy]) > 1e-3) for one in sides)
     return dict(
         pockets=0.0 if ahead is None else ahead.needed / ahead.play,
         gyroscopic=(needed / _available(state, friction)).max(),
@@ -280,7 +281,7 @@ def _doubts(state, friction, needed, ahead):
 def _available(state, friction):
     """Return the mean friction coefficient (Z,) of the contacts of each ball."""
     load = np.vstack([state.inner.load, state.outer.load])
-    return (friction * load).sum(0) / np.maximum(load.sum(0), 1e-300)
+    return np.maximum((friction * load).sum(0), 1e-300) / np.maximum(load.sum(0), 1e-300)
 
 
 def _sliding(state, friction, needed, included):
