@@ -64,11 +64,31 @@ def test_balls_that_are_held_back_press_with_their_traction():
     body, state = equilibrium("7208B", (20.0, 0.0))
     limit = 0.05 * (state.inner.load + state.outer.load).max() * (1 + 1e-12)  # rounding
     held = [
-        excursion.excursion(body, state, SPEED, np.full((2, body.balls), 0.05), play=play)
+        excursion.excursion(
+            body, state, SPEED, np.full((2, body.balls), 0.05), play=play, centred=True
+        )
         for play in (0.0, 1.53e-3, 1.0)
     ]
     assert 0 == held[2].force < held[1].force < held[0].force <= limit
     assert held[0].force > 0.4 * limit
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_play_that_the_balls_need(order):
+    """A shift of the cage by half the amplitude of a sine wave leaves circles of half its size in
+    the pockets. No shift helps against shorter waves."""
+    psi = 2 * np.pi * np.arange(720) / 720
+    path = 3e-4 * np.cos(order * psi + 0.4) + 1e-4
+    needed = 3e-4 if order == 1 else 6e-4
+    assert excursion._needed(path) == pytest.approx(needed, rel=1e-4)
+
+
+def test_a_free_cage_restrains_less():
+    """A centred cage needs the whole excursion as play, a free one less but at least half of it."""
+    body, state = equilibrium("7208B", (20.0, 0.0))
+    free, centred = (excursion.excursion(body, state, SPEED, centred=one) for one in (False, True))
+    assert centred.needed == pytest.approx(centred.whole, rel=1e-12)
+    assert free.whole == centred.whole and free.whole / 2 <= free.needed < 0.6 * free.whole
 
 
 def test_statics_warns():

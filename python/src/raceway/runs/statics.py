@@ -182,8 +182,9 @@ def _cage(record, deck):
     cage = CageRing(without=frozenset(deck.get("cage_without", "none").split("+")))
     if not math.isnan(found[1]):
         cage = cage._replace(play=found[1])
-    if "cage_filled" in deck:
-        cage = cage._replace(filled=float(deck["cage_filled"]))
+    for name in ("filled", "friction"):
+        if f"cage_{name}" in deck:
+            cage = cage._replace(**{name: float(deck[f"cage_{name}"])})
     if (guide := deck.get("cage_guide", "balls")) != "balls":
         radius, clearance, width = (
             float(deck[f"cage_{name}"]) for name in ("land", "clearance", "width")

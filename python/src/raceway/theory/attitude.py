@@ -39,6 +39,7 @@ class Attitude(NamedTuple):
     moment: Floats  # (2, Z), N m, moment that opposes the spin
     across: Floats  # (Z,), m/s, sliding speed across both raceways, not negative
     force: Floats  # (2, Z), N, force that opposes the sliding
+    radial: Floats  # (Z,), rad/s, radial component x of the rotation
 
     __repr__ = short
 
@@ -68,7 +69,8 @@ def balanced(
         slide = _slide(none, turn, radius, limit, a, pure, edge, momentum)
         motion, share, force = _at(slide, none, turn, radius, limit, a, edge, momentum)
         momentum = inertia * np.abs(motion[0])
-    return Attitude(motion[0], motion[1:], pure * share, np.abs(slide), np.abs(force))
+    radial = (motion[1] - none[1]) / turn[1]
+    return Attitude(motion[0], motion[1:], pure * share, np.abs(slide), np.abs(force), radial)
 
 
 def _at(slide, none, turn, radius, limit, a, edge, momentum):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Power dissipated by a cage that is one rigid ring (fix bearing/cage/ring). Only losses with a
-closed-form solution are included, i.e. shear of the oil in the pockets, the film at the guiding
-land, and churning. Friction between balls and pockets depends on the forces in a run and is not
-included."""
+"""Power dissipated by a cage that is one rigid ring (fix bearing/cage/ring): shear of the oil in
+the pockets, the film at the guiding land, churning, and friction of balls that press against their
+pockets because they run ahead of the cage or lag behind it (`excursion`). Friction due to the small
+forces with which balls drive the cage against its drag is not included."""
 
 import math
 from typing import NamedTuple
@@ -27,7 +27,9 @@ class CageRing(NamedTuple):
     # the cage is guided by the balls
     land: tuple[float, float, float] | None = None
     inner: bool = False  # True if the land is on the inner ring
-    without: frozenset[str] = frozenset()  # losses to leave out: shear, land, churning
+    # losses to leave out: friction, shear, land, churning
+    without: frozenset[str] = frozenset()
+    friction: float = float(variable_table.default("cage_friction"))  # of balls in their pockets
 
 
 class Resistance(NamedTuple):
@@ -66,10 +68,11 @@ def power(
     ring: float,
     orbit: float,
     angle: float = 0.0,
+    pressed: float = 0.0,
 ) -> float:
     """Return the power in W dissipated in all rows. The inner ring turns at `ring` rad/s and the
-    cage at `orbit` rad/s; `share` is the volume fraction of oil around the balls, and `angle` is
-    the mean contact angle in rad.
+    cage at `orbit` rad/s; `share` is the volume fraction of oil around the balls, `angle` is the
+    mean contact angle in rad, and `pressed` is the sum of the pocket forces in N.
 
     In its pocket, a ball turns about the bearing's axis, tilted by the contact angle. The oil
     resists rotation about the axis of the pocket twice as strongly.
@@ -77,6 +80,8 @@ def power(
     found = resistance(bearing, cage, fluid, share, orbit)
     spin = kinematics.frequencies(bearing, angle, ring).spin
     lost = len(bearing.row) * found.shear * spin**2 * (1 + math.sin(angle) ** 2)
+    if "friction" not in cage.without:
+        lost += cage.friction * pressed * bearing.ball_radius * abs(spin)
     slide = orbit - guide(cage, ring)
     of_row = found.land * slide**2 + found.churning * orbit
     return float(lost + len(bearing.layout.rows) * of_row)

@@ -5,16 +5,16 @@ Under a moment or a combined load, the contact angles differ from ball to ball, 
 at which the balls roll around the bearing. A ball then moves relative to a cage that turns
 uniformly; bearing software calls this circumferential ball advance. If the play of a pocket is
 smaller than this motion, the pocket restrains the ball. The ball then slides on both raceways, and
-friction there presses it against the pocket.
+friction there presses it against the pocket. The slip and the friction in the pocket dissipate
+power (`friction_torque`).
 """
 
 import math
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq
 
-from raceway.arrays import Floats
+from raceway.arrays import Floats, short
 from raceway.core import laws
 from raceway.theory import cage_speed, sliding
 from raceway.theory.bearing import INNER, OUTER, Bearing
@@ -22,6 +22,7 @@ from raceway.theory.static import Equilibrium
 from raceway.units import prefixed
 
 POINTS = 720  # number of points on the path of a ball around the bearing, for the integrals
+SHIFTS = 41  # number of tried displacements of the cage
 
 
 class Excursion(NamedTuple):
@@ -30,7 +31,23 @@ class Excursion(NamedTuple):
     ahead: float  # m, largest distance ahead of the mean
     behind: float  # m, largest distance behind the mean, negative
     play: float  # m, play of the pockets along the pitch circle
-    force: float | None  # N, estimated largest pocket force; None without friction coefficients
+    needed: float  # m, smallest play with which no ball would touch its pocket
+    # (2, Z), N, estimated forces of the raceways on balls that their pockets restrain, and the slip
+    # (Z,) in m/s that causes them; None without friction coefficients
+    forces: Floats | None = None
+    slip: Floats | None = None
+
+    __repr__ = short
+
+    @property
+    def force(self) -> float | None:
+        """Estimated largest pocket force in N; None without friction coefficients."""
+        return None if self.forces is None else float(np.abs(self.forces.sum(0)).max())
+
+    @property
+    def power(self) -> Floats:
+        """Power (2, Z) in W dissipated by the slip of restrained balls."""
+        return np.abs(self.forces * self.slip)
 
     @property
     def whole(self) -> float:
@@ -44,23 +61,27 @@ def excursion(
     speed: float,
     friction: Floats | None = None,
     play: float | None = None,
+    *,
+    centred: bool = False,
 ) -> Excursion | None:
     """Compute the `Excursion` at the equilibrium `state` of a bearing with one row and one groove
     per ring. The inner ring turns at `speed` (rad/s), and the outer ring is at rest. Returns None
     for other bearings, or if no ball is loaded.
 
-    Each ball rolls at its own contact angles (`cage_speed.rolling`); unloaded balls move at the
-    mean speed. The advance of a ball is R times the integral of 1 - w_c/w over the azimuth, where w
-    is the ball's speed and w_c is the harmonic mean of the speeds of all balls, which makes the
-    advance periodic over a turn. If the excursion exceeds `play` (m; by default the estimate used
-    in runs), a ball is restrained by (1 - play/excursion) (w - w_c) R at both raceways. The
-    traction due to this slip, by Heathcote's law with the coefficients `friction` (2, Z), presses
-    the ball against its pocket. The cage speed is the speed at which these forces balance.
+    Each ball rolls at its own contact angles (`cage_speed.rolling`); balls with hardly any load
+    move at the mean speed. The advance of a ball is R times the integral of 1 - w_c/w over the
+    azimuth, where w is the ball's speed and w_c is the harmonic mean of the speeds of all balls,
+    which makes the advance periodic over a turn. A cage that is not `centred` by a land shifts in
+    its plane to where its spherical pockets leave the balls the most room. If the excursion then
+    needs more than `play` (m; by default the estimate used in runs), a ball is restrained by (1 -
+    play/needed) (w - w_c) R at both raceways. The traction due to this slip, by Heathcote's law
+    with the coefficients `friction` (2, Z), presses the ball against its pocket. The cage speed is
+    the speed at which these forces balance.
     """
     if np.ndim(state.inner.load) != 1:
         return None
     sides = [cage_speed.Rolling(one.load, one.angle, one.a) for one in (state.inner, state.outer)]
-    loaded = (sides[INNER].load > 0) & (sides[OUTER].load > 0)
+    loaded = state.inner.heavy & state.outer.heavy
     if not loaded.any():
         return None
     own = np.asarray(cage_speed.rolling(bearing, *sides, tilted=True))
@@ -72,25 +93,40 @@ def excursion(
         float(path.max()),
         float(path.min()),
         laws.usual_play() * bearing.ball_diameter if play is None else play,
-        None,
+        float(np.ptp(path)) if centred else _needed(path),
     )
     if friction is None:
         return found
-    held = max(0.0, 1 - found.play / found.whole) if found.whole > 0 else 0.0
+    held = max(0.0, 1 - found.play / found.needed) if found.needed > 0 else 0.0
     if held == 0.0:
-        return found._replace(force=0.0)
+        return found._replace(forces=np.zeros((2, len(own))), slip=np.zeros(len(own)))
 
-    def forces(cage):
+    from scipy.optimize import brentq  # loading it takes longer than a summary of a run
+
+    def restrained(cage):
         slip = held * (cage - own) * abs(speed) * bearing.pitch_radius
-        orbit = abs(speed) * mean
         both = [
-            _traction(bearing, side, slip, sides[side], friction[side], orbit)
+            _traction(bearing, side, slip, sides[side], friction[side], abs(speed) * mean)
             for side in (INNER, OUTER)
         ]
-        return (both[INNER] + both[OUTER]) * loaded
+        return np.array(both) * loaded, slip
 
-    cage = brentq(lambda w: forces(w).sum(), own.min(), own.max())
-    return found._replace(force=float(np.abs(forces(cage)).max()))
+    cage = brentq(lambda w: restrained(w)[0].sum(), own.min(), own.max())
+    forces, slip = restrained(cage)
+    return found._replace(forces=forces, slip=slip)
+
+
+def _needed(path):
+    """Return the play in m that balls on the `path` (m ahead of the mean, at equal angles) need in
+    the spherical pockets of a cage that is free to shift in its plane. A shift d changes the
+    distance from the middle of a pocket by d sin(psi - b) along the path and by d cos(psi - b)
+    along the radius."""
+    wave = np.fft.fft(path)[1] * 2 / len(path)
+    psi = 2 * np.pi * np.arange(len(path)) / len(path) + np.angle(wave)
+    shift = np.linspace(0, 1, SHIFTS)[:, None] * abs(wave)
+    along = path - shift * np.cos(psi)
+    along = along - (along.max(1, keepdims=True) + along.min(1, keepdims=True)) / 2
+    return float(2 * np.hypot(along, shift * np.sin(psi)).max(1).min())
 
 
 def _traction(bearing, side, slip, one, friction, orbit):
@@ -116,8 +152,9 @@ def _integral(values):
 
 
 def warning(found: Excursion) -> str | None:
-    """Return a warning if the excursion of the balls exceeds the pocket play, otherwise None."""
-    if found.whole <= found.play:
+    """Return a warning if the excursion of the balls needs more than the pocket play, otherwise
+    None."""
+    if found.needed <= found.play:
         return None
     text = (
         f"the balls run up to {prefixed(found.ahead, 'm', 3)} ahead of and"

@@ -14,14 +14,16 @@ slip
 spin
     spin about the contact normals, for the ball rotation at which the moments on the ball balance
     (`attitude`). It is computed in closed form, as in a run, or, if `spin_law` is "slices",
-    together with slip
+    together with slip. A ball that returns to the load zone turns its axis back to that rotation
 hysteresis
     hysteresis of the steel (`rolling`)
 drag
     drag on the balls in oil and air (`drag`)
 cage
-    losses of a cage that is one ring: oil in its pockets and at its land, and churning
-    (`cage_drag`)
+    losses of a cage that is one ring: oil in its pockets and at its land, churning, and friction of
+    balls that it restrains (`cage_drag`)
+
+A ball that its pocket restrains also slips on both raceways (`excursion`).
 
 A ball with more than two contacts cannot roll on all of them (`ball_motion`). A ball that touches
 only the outer ring is slowed by rolling resistance and slides (`skidding`).
@@ -40,6 +42,7 @@ from raceway.theory import (
     ball_motion,
     cage_drag,
     drag,
+    excursion,
     film_factors,
     hertz,
     oil_supply,
@@ -49,7 +52,7 @@ from raceway.theory import (
     spin,
     traction,
 )
-from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.bearing import INNER, OUTER, Bearing, Layout
 from raceway.theory.lubricant import Fluid
 from raceway.theory.lubrication import Lubrication
 from raceway.theory.makers import Size
@@ -83,6 +86,7 @@ class Losses(NamedTuple):
     cage: float | None  # None if there is no cage or if the cage is a chain of balls
     asperity_share: Floats  # L_a
     friction: Floats  # mu
+    advance: excursion.Excursion | None = None  # of the balls of one row, relative to their cage
 
     __repr__ = short
 
@@ -142,7 +146,7 @@ def losses(
     loaded = np.array([one.load > 0 for one in contacts])
     inner = bearing.raceways.count(INNER)
     speed = orbit * bearing.pitch_radius
-    alone = skidding.unloaded(
+    unloaded = skidding.unloaded(
         loaded[:inner].any(0),
         state.azimuth,
         bearing.row,
@@ -150,7 +154,7 @@ def losses(
         bearing.pitch_radius,
     )
     rows = [
-        _one(bearing, side, contact, film, fluid, clearance, surfaces, alone)
+        _one(bearing, side, contact, film, fluid, clearance, surfaces, unloaded)
         for side, contact, film in zip(bearing.raceways, contacts, wet)
     ]
     rolled, slid, hysteresis, share, friction = (np.array(part) for part in zip(*rows))
@@ -177,6 +181,9 @@ def losses(
                 bearing, both.angle, ring, limit, both.a, both.spin_moment, edge, ball_density
             )
             turned[pair, balls] = motion.moment * np.abs(motion.spin)
+            if bearing.layout == Layout():
+                back = contacts, ring, motion, balls, unloaded.frequency, ball_density
+                turned[inner] += _turned_back(bearing, *back)
             slid[pair, balls] *= spin.closed_slip(motion.spin * both.a, edge)
             slid[pair, balls] += motion.force * motion.across
         else:
@@ -190,13 +197,42 @@ def losses(
             found = _several(bearing, one, sides, ring, spin_law, fluid, surfaces)
             slid[live, ball], turned[live, ball] = found
     balls = np.broadcast_to(against * speed, len(bearing.row)) + 0.0
-    lost = None
+    advance, lost = None, None
+    if bearing.layout == Layout():
+        advance = excursion.excursion(
+            bearing,
+            state,
+            ring,
+            friction,
+            cage and cage.play or None,
+            centred=cage is not None and cage.land is not None,
+        )
     if cage is not None:
+        pressed = 0.0
+        if advance is not None:
+            slid += advance.power
+            pressed = float(np.abs(advance.forces.sum(0)).sum())
         angles = np.abs([one.angle for one in contacts])[loaded]
         angle = float(angles.mean()) if len(angles) else 0.0
         about = surfaces.oil_share, ring, float(np.mean(orbit)), angle
-        lost = cage_drag.power(bearing, cage, fluid, *about)
-    return Losses(rolled, slid, turned, hysteresis, balls, lost, share, friction)
+        lost = cage_drag.power(bearing, cage, fluid, *about, pressed)
+    return Losses(rolled, slid, turned, hysteresis, balls, lost, share, friction, advance)
+
+
+def _turned_back(bearing, contacts, ring, motion, balls, frequency, density):
+    """Return the power (Z,) in W of balls that regain their load at the rates `frequency` (Z,) in
+    1/s, in a bearing with one row and one groove per ring. Without load they roll on the outer
+    raceway about the bearing's axis. In the load zone, friction turns them to the rotation of the
+    ball with the largest load, one of `balls` in the `motion` of `attitude`. It dissipates J/2
+    (change of rotation)^2, as if a body at rest were set on a moving belt."""
+    top = balls[np.argmax(contacts[0].load[balls])]
+    radial, orbit = (one[balls == top] for one in (motion.radial, motion.orbit))
+    inner, outer = (one.angle for one in contacts)
+    sizes = ring, bearing.ball_radius, bearing.pitch_radius
+    axial = laws.rolling_on_both(inner[top], outer[top], *sizes, radial).axial
+    alone = -orbit * bearing.pitch_radius / (bearing.ball_radius * np.cos(outer))
+    inertia = 8 / 15 * np.pi * bearing.ball_radius**5 * density
+    return inertia / 2 * (radial**2 + (axial - alone) ** 2) * frequency
 
 
 def _by_groove(side):

@@ -228,8 +228,8 @@ def figures(
         needed *= np.atleast_2d(rolling.inner.heavy).any(0)
         result.update(gyroscopic_friction=needed.max() if needed.max() > 1e-9 else None)
         friction = lost.friction
-    ahead = None
-    if body.layout == Layout():
+    ahead = lost.advance if film is not None else None
+    if ahead is None and body.layout == Layout():
         ahead = excursion.excursion(body, rolling, spin, friction, cage and cage.play or None)
     if ahead is not None:
         result.update(ball_excursion_m=ahead.whole, pocket_force_N=ahead.force or None)
@@ -240,6 +240,10 @@ def figures(
         result["warnings"] += _wide(body)
     if film is not None:
         result["warnings"] += _sliding(rolling, lost.friction, needed, motion is not None)
+        *ends, texts = validity.torque_range(_doubts(rolling, lost.friction, needed, ahead))
+        low, high = (end * result["friction_torque_N_m"] for end in ends)
+        result["ranges"] = {"friction_torque_N_m": dict(low=low, high=high)}
+        result["warnings"] += texts
     if ahead is not None and (text := excursion.warning(ahead)):
         result["warnings"].append(text)
     result["absent"] = model_names.absent(models, result) if wet else {}
@@ -262,11 +266,28 @@ def _wide(body):
     ]
 
 
+def _doubts(state, friction, needed, ahead):
+    """Return the values on which the accuracy of the friction torque depends, with the names in
+    `validity.TORQUE`."""
+    sides = (state.inner, state.outer)
+    tilted = any(np.any(np.abs(one.angle[one.heavy]) > 1e-3) for one in sides)
+    return dict(
+        pockets=0.0 if ahead is None else ahead.needed / ahead.play,
+        gyroscopic=(needed / _available(state, friction)).max(),
+        unloaded=np.mean(~np.atleast_2d(state.inner.heavy).any(0)) if tilted else 0.0,
+    )
+
+
+def _available(state, friction):
+    """Return the mean friction coefficient (Z,) of the contacts of each ball."""
+    load = np.vstack([state.inner.load, state.outer.load])
+    return np.maximum((friction * load).sum(0), 1e-300) / np.maximum(load.sum(0), 1e-300)
+
+
 def _sliding(state, friction, needed, included):
     """Return a list with a warning if friction cannot hold balls against their gyroscopic moment;
     `included` says whether the state of these balls was solved for."""
-    load = np.vstack([state.inner.load, state.outer.load])
-    slide = needed > (friction * load).sum(0) / np.maximum(load.sum(0), 1e-300)
+    slide = needed > _available(state, friction)
     if not slide.any():
         return []
     where = "around a ring that is free in its plane" if included else "in a run"

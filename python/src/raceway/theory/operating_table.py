@@ -97,7 +97,7 @@ TOPICS = {
         Row("loss_spin_W", "spin", "W"),
         Row("loss_hysteresis_W", "hysteresis", "W"),
         Row("loss_drag_W", "drag of the balls", "W"),
-        Row("loss_cage_W", "cage", "W", "oil in its pockets, churning"),
+        Row("loss_cage_W", "cage", "W", "oil in its pockets, churning, friction"),
         Row("gyroscopic_friction", "friction coefficient needed", "", "against gyroscopic sliding"),
     ),
     "Capacitance": (row("capacitance_F"), row("capacitance_top_F")),
@@ -160,7 +160,9 @@ def table(result: Mapping[str, Any]) -> str:
     if filled["ball_axial_rad_s"] is not None:
         filled.update(sliding_orbit_rad_s=filled["orbital_speed_rad_s"], orbital_speed_rad_s=None)
     block = _table_of_balls(result["balls"])
-    text = [*lines(filled, TOPICS), "", "Balls", *block]
+    spans = result.get("ranges", {})
+    ranges = {key: (span["low"], span["high"]) for key, span in spans.items()}
+    text = [*lines(filled, TOPICS, ranges=ranges), "", "Balls", *block]
     if assumed := result.get("assumed_data"):
         text += variable_table.block(assumed)
     return "\n".join(text + warning_lines(result["warnings"]))

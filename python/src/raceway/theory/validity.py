@@ -46,6 +46,41 @@ class Shoulders(NamedTuple):
 RULES = {row["name"]: Rule(**row) for row in core.table("columns")["validity"]}
 
 
+class Doubt(NamedTuple):
+    """A reason why runs differ from the friction torque of statics. Beyond `bound`, the torque of
+    runs divided by that of statics is between `low` and `high` (docs/static)."""
+
+    bound: float
+    low: float
+    high: float
+    why: str
+
+
+# Play that the balls need over that of the pockets; coefficient of friction needed against the
+# gyroscopic moment over the available one; fraction of balls with hardly any load, if contact
+# angles are not zero
+TORQUE = {
+    "pockets": Doubt(0.8, 0.65, 3.0, "balls press against their cage"),
+    "gyroscopic": Doubt(0.9, 0.95, 2.5, "gyroscopic moments turn the balls"),
+    "unloaded": Doubt(0.0, 0.85, 1.4, "balls lose and regain their load"),
+}
+AGREES = 0.05  # largest relative difference without such a reason
+
+
+def torque_range(values: Mapping[str, float]) -> tuple[float, float, list[str]]:
+    """Return the smallest and the largest torque of settled runs, divided by the torque of statics,
+    for the `values` {name in `TORQUE`: value} in statics, and a list with a warning if they differ
+    by more than `AGREES`."""
+    known = [TORQUE[name] for name, value in values.items() if value > TORQUE[name].bound]
+    low = min([1 - AGREES, *(one.low for one in known)])
+    high = max([1 + AGREES, *(one.high for one in known)])
+    if not known:
+        return low, high, []
+    times = f"{low:g} to {high:g} times"
+    why = " and ".join(one.why for one in known)
+    return low, high, [f"the torque of a run may be {times} that of statics: {why}"]
+
+
 def doubts(values: Mapping[str, float | None]) -> list[str]:
     """Return a warning for each of the `values` {name in `RULES`: value in SI units} that is
     outside its range of validity. Values that are None or NaN are ignored."""
