@@ -6,7 +6,6 @@ intact or damaged on purpose.
 import shutil
 
 import numpy as np
-
 from fuzz.draw import grammar
 from host import ROOT, succeed
 from scipy import io
