@@ -38,7 +38,7 @@ def of_column(name: str, ring: str = "inner") -> dict[str, str]:
 
 def _of_inner(run, name):
     rings = run.rings
-    values = rings[name].to_numpy() if name in rings else None
+    values = rings[name].to_numpy() if name in rings.data_vars else None
     return values, run.tables.record.path, rings.data_vars
 
 
