@@ -115,9 +115,9 @@ def of_run(
     recording.
 
     The `band` (Hz, Hz) is by default the most impulsive one that is at least three times as wide as
-    BPFI and ends at most at `highest` (Hz); `attrs["band"]` is the band used. The result is like that of `spectrum.of_run`. Raise
-    `RunError` in the same cases as `spectrum.of_run`, and for a band that extends beyond half the
-    sampling rate.
+    BPFI and ends at most at `highest` (Hz); `attrs["band"]` is the band used. The result is like
+    that of `spectrum.of_run`. Raise `RunError` in the same cases as `spectrum.of_run`, and for a
+    band that extends beyond half the sampling rate.
     """
     values, sample_s, attrs = run.signal(name, ring)
     passes = spectrum.places(run, harmonics=1)["BPFI", 1][1]
