@@ -78,7 +78,7 @@ print "shift ${told}"
 
 
 def test_the_pair_style_given_again(tmp_path):
-    """The bodies continue to move, and the contacts start anew, with identical results in all hosts."""
+    """The bodies continue to move, the contacts start anew, and all hosts agree."""
     again = "include tests/contact.${film}\nrun 200\n"
     deck = deck_file(tmp_path, BITS + again)
     told = {}
