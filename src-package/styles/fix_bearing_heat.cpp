@@ -253,6 +253,7 @@ void FixBearingHeat::apply_oil()
   // a new contact law has the sizes of cold parts, in every bearing
   for (FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp)) {
     if (f->idle_ || !f->bearing_) continue;
+    f->pair_ = pair_;    // the pair style may be a new one, which f learns only in its own init()
     const bool moves = f->now_.stage == RAMP || f->now_.stage == LAST;
     f->grow(moves ? f->share_at(f->now_.since) : 1.0);
   }

@@ -117,3 +117,12 @@ print "told ${{{{y}}}} ${{{{angle}}}}"
         found = re.search(r"^told (\S+) (\S+)", succeed(deck).text, flags=re.M)
         told[name] = [float(value) for value in found.groups()]
     assert told["again"] == pytest.approx(told["once"], rel=1e-3)
+
+
+def test_two_heated_bearings_when_the_pair_style_is_given_again(tmp_path):
+    """Neither of them uses the pair style that has been deleted (checked by AddressSanitizer)."""
+    text = (ROOT / "tests/scenarios/in.warm_two").read_text()
+    style = re.search(r"^pair_style(.*\n)+?.*pair_coeff.* b\n", text, flags=re.M)[0]
+    text = re.sub(r"^(fix record|run_bearing).*\n", "", text, flags=re.M)
+    text += f"timestep 2.0e-5\nrun 20\n{style}run 20\n"
+    succeed(deck_file(tmp_path, text), out=tmp_path, sanitized=True)
