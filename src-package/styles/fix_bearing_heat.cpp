@@ -120,10 +120,20 @@ void FixBearingHeat::find_bearing()
     if (f != this && !f->idle_ && f->bearing_ == bearing_)
       BRG_ALL(bearing::name_of(*this) + " and fix " + f->id + " both heat bearing " +
               bearing_->name);
-  int rings = 0;
-  for (int i = 0; i < atom->nlocal; ++i) rings += atom->type[i] == bearing_->inner;
-  MPI_Allreduce(MPI_IN_PLACE, &rings, 1, MPI_INT, MPI_SUM, world);
-  bearings_ = rings;
+  int count[3] = {};    // inner rings; balls of the bearing, and those that are in the group
+  for (int i = 0; i < atom->nlocal; ++i) {
+    count[0] += atom->type[i] == bearing_->inner;
+    count[1] += atom->type[i] == bearing_->balls;
+    count[2] += atom->type[i] == bearing_->balls && (atom->mask[i] & groupbit);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, count, 3, MPI_INT, MPI_SUM, world);
+  if (count[2] < count[1])
+    BRG_ALL(bearing::name_of(*this) + ": group " + group->names[igroup] + " has only " +
+            std::to_string(count[2]) + " of the " + std::to_string(count[1]) +
+            " balls of bearing " + bearing_->name +
+            ", but its temperatures are those of every bearing with this name: use group all, or "
+            "name each bearing");
+  bearings_ = count[0];
 }
 
 void FixBearingHeat::check_oil()
@@ -247,6 +257,7 @@ void FixBearingHeat::apply_oil()
   // a new contact law has the sizes of cold parts, in every bearing
   for (FixBearingHeat *f : bearing::fixes_of<FixBearingHeat>(lmp)) {
     if (f->idle_ || !f->bearing_) continue;
+    f->pair_ = pair_;    // the pair style may be a new one, which f learns only in its own init()
     const bool moves = f->now_.stage == RAMP || f->now_.stage == LAST;
     f->grow(moves ? f->share_at(f->now_.since) : 1.0);
   }

@@ -65,8 +65,7 @@ double FixBearingRing::compute_array(int row, int k)
 
 double FixBearingRing::reported(int row, int k)
 {
-  // there is no output before the first run or after the pair style has been replaced
-  if (!state_ || modify->find_fix(FixBearingState::fixed_id) < 0) return 0.0;
+  if (!state_) return 0.0;    // there is no output before the first run
   if (reported_ != update->ntimestep) {
     note_setup();
     make_report();

@@ -10,6 +10,15 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using raceway::Vec3;
 
+// Stands for a pair style that has been deleted, while the state waits for the next one.
+struct NoPair : bearing::PairHooks {
+  Vec3 axis() const override { return {0.0, 0.0, 1.0}; }
+  void indices_changed() override {}
+  void forces_known() override {}
+  void after_step() override {}
+  void run_done() override {}
+};
+
 FixBearingState::FixBearingState(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(dynamic_cast<bearing::PairHooks *>(lmp->force->pair))
 {
@@ -31,6 +40,21 @@ FixBearingState::~FixBearingState()
 {
   atom->delete_callback(id, 0);
   atom->delete_callback(id, 1);
+}
+
+void FixBearingState::part_from_pair()
+{
+  static NoPair none;
+  pair_ = &none;
+}
+
+// The forces of the last step are those of the contacts that are forgotten.
+void FixBearingState::forget_contacts()
+{
+  for (PerAtom &p : per_atom_) {
+    p.n_grooves = 0;
+    p.saved = false;
+  }
 }
 
 int FixBearingState::setmask() { return PRE_NEIGHBOR | END_OF_STEP | POST_RUN; }

@@ -73,6 +73,11 @@ class FixBearingState : public Fix {
     return i < atom->nlocal ? comm->me : per_atom_[i].owner;
   }    // rank; for ghosts, as of the last forward_axes()
   std::vector<PerAtom> &per_atom() { return per_atom_; }
+  // Called by the pair style when it takes over the state, and by its destructor. A pair style that
+  // replaces another one takes over the motion of the bodies; its contacts start anew.
+  void serve(bearing::PairHooks &pair) { pair_ = &pair; }
+  void part_from_pair();
+  void forget_contacts();
   // Called in the set-up of a run. Afterwards, the axes and angles of rings are assumed to be
   // constant unless a fix calls follow_axes().
   void keep_axes() { axes_turn_ = false; }

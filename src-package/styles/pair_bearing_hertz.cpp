@@ -29,8 +29,8 @@ PairBearingHertz::PairBearingHertz(LAMMPS *lmp, bool with_film) :
 PairBearingHertz::~PairBearingHertz()
 {
   // Modify may already have been deleted when the host shuts down
-  if (modify && modify->nfix && modify->find_fix(FixBearingState::fixed_id) >= 0)
-    modify->delete_fix(FixBearingState::fixed_id);
+  const int at = modify && modify->nfix ? modify->find_fix(FixBearingState::fixed_id) : -1;
+  if (at >= 0) dynamic_cast<FixBearingState *>(modify->fix[at])->part_from_pair();
   if (allocated) {
     memory->destroy(setflag);
     memory->destroy(cutsq);
@@ -64,6 +64,7 @@ void PairBearingHertz::allocate()
 void PairBearingHertz::settings(int narg, char **arg)
 {
   commands_.assign(1, std::vector<std::string>(arg, arg + narg));
+  new_style_ = true;
   Arguments args(lmp,
                  std::string("pair_style ") +
                      (coefficients_.lubricated() ? "bearing/ehd" : "bearing/hertz"),
@@ -135,7 +136,8 @@ void PairBearingHertz::init_style()
 
 // The state fix must be the last fix, because it restores the forces of the previous step after the
 // set-up of every other fix. If fixes have been defined since the previous run, the state fix is
-// moved to the end again, together with its state.
+// moved to the end again, together with its state. If the command pair_style has been given since
+// then, its contacts start anew.
 void PairBearingHertz::put_state_last()
 {
   const int at = modify->find_fix(FixBearingState::fixed_id);
@@ -151,6 +153,9 @@ void PairBearingHertz::put_state_last()
       dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1])->per_atom() = std::move(kept);
   }
   state_ = dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1]);
+  state_->serve(*this);
+  if (new_style_ && at >= 0) state_->forget_contacts();
+  new_style_ = false;
   state_->keep_axes();
 }
 

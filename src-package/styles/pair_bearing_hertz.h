@@ -136,6 +136,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::ContactEvaluator evaluator_;
   bearing::RingSum ring_sum_;
   FixBearingState *state_ = nullptr;
+  bool new_style_ = false;    // true if pair_style has been given since the last run
   bearing::ValidityCheck validity_;
   bigint atoms_ = 0;    // atoms at the start of the run whose types have a pair_coeff
   bool rebuild_ = true;

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Write files that commands read (runs, shafts, sweeps, data sets), either intact or damaged on
-purpose.
+"""Write files that commands read (runs, shafts, sweeps, data sets, readings, recordings), either
+intact or damaged on purpose.
 """
 
 import shutil
 
+import numpy as np
 from fuzz.draw import grammar
 from host import ROOT, succeed
+from scipy import io
+from scipy.io import wavfile
 
 SHORT = {"passes": 1, "samples": 20, "settle": 0.1}
 RUNS = {
@@ -23,6 +26,27 @@ TABLES = {
     "SWEEP": ["docs/decks/sweep.csv"],
     "DATASET": ["inputs/datasets/small.yaml", "inputs/datasets/spalls.yaml"],
 }
+DECK = ROOT / "inputs" / "in.6208"
+READINGS = """bearing: 6205
+lubricant: vg68
+models: paper
+known: {load: 10, axial: 30, temperature: 40}
+unknown: {clearance: 0 15e-6}
+readings:
+  - {rpm: 1797, BPFO: 3.5972, within: 2e-4}
+  - {rpm: 1797, axial_more: 200, capacitance: 25e-12, within: 1e-12}
+"""
+LINES = "speed_Hz,bpfo_Hz,ftf_Hz\n29.95,107.74,11.971\n30,107.9,11.98\n"
+SERIES = """bearing: 6205
+lubricant: vg68
+models: paper
+known: {load: 10, axial: 100}
+unknown: {clearance: 0 15e-6, temperature: 20 90}
+series: hours.csv
+within: {BPFO: 1e-4, capacitance: 0.1e-12}
+drift: {clearance: 2e-6, temperature: 25}
+"""
+HOURS = "time_s,rpm,BPFO,capacitance\n0,1797,3.60,25e-12\n600,1797,3.6,\n1200,1797,3.601,24e-12\n"
 
 
 def runs(folder):
@@ -34,17 +58,50 @@ def runs(folder):
 
 
 def tables(folder, draw):
-    """Write copies of the tables that come with the package; half of them are damaged."""
-    made = {}
-    for command, sources in TABLES.items():
-        for number, file in enumerate(sources):
-            text = (ROOT / file).read_text()
-            if draw.chance(0.5):
-                text = spoil_text(draw, text)
-            to = folder / f"{command}{number}{'.csv' if command == 'SWEEP' else '.yaml'}"
-            to.write_text(text, errors="surrogateescape")
+    """Write copies of the tables that come with the package, and readings and a recording; half of
+    them are damaged."""
+    texts = {
+        command: [(ROOT / source).read_text() for source in sources]
+        for command, sources in TABLES.items()
+    }
+    texts |= {"READINGS": [READINGS], "LINES": [LINES], "SERIES": [SERIES]}
+    made = {"DECK": [DECK], "RECORDING": [recording(folder, draw)]}
+    for command, some in texts.items():
+        for number, text in enumerate(some):
+            end = ".csv" if command in ("SWEEP", "LINES") else ".yaml"
+            to = folder / f"{command}{number}{end}"
+            _write(to, text, draw)
             made.setdefault(command, []).append(to)
+    _write(folder / "hours.csv", HOURS, draw)
     return made
+
+
+def _write(to, text, draw):
+    to.write_text(spoil_text(draw, text) if draw.chance(0.5) else text, errors="surrogateescape")
+
+
+def recording(folder, draw):
+    """Write a recording of a bearing in one of the formats, and return its path. Half of the files
+    are damaged."""
+    time = np.arange(3000) / 12e3
+    values = np.sin(2 * np.pi * 108 * time) * np.sin(2 * np.pi * 3e3 * time)
+    name = draw.choice(["105.mat", "a.npz", "a.wav", "a.csv"])
+    to = folder / name
+    if name == "105.mat":
+        columns = {"X105_DE_time": values[:, None], "X105RPM": 1797.0}
+        io.savemat(to, columns, do_compression=draw.chance(0.5))
+    elif name == "a.npz":
+        draw.choice([np.savez, np.savez_compressed])(to, DE=values)
+    elif name == "a.wav":
+        wavfile.write(to, 12000, (1e4 * values).astype(np.int16))
+    else:
+        rows = [f"{t:.9g},{v:.6g}" for t, v in zip(time, values)]
+        to.write_text("\n".join(["time_s,acceleration_g", *rows, ""]))
+    if draw.chance(0.5):
+        data = bytearray(to.read_bytes())
+        del data[draw.randrange(len(data)) :]  # transferred only in part
+        to.write_bytes(data)
+    return to
 
 
 def spoil_text(draw, text):

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Forces and reported values are correct at the boundary between two consecutive runs."""
 
+import re
+
 import pytest
-from host import ROOT, deck_file, frames, succeed
+from host import BOX, ROOT, deck_file, frames, succeed
 
 BITS = (ROOT / "tests" / "hosts" / "in.bits").read_text()
 DRAG = "fix drag balls viscous 5.0\n"
@@ -63,10 +65,64 @@ def test_restart_written_in_a_run_without_setup(tmp_path):
 
 
 def test_reports_after_the_pair_style_is_gone(tmp_path):
-    """Reading values between runs does not access freed memory (checked by AddressSanitizer)."""
-    deck = deck_file(
-        tmp_path,
-        BITS + "pair_style bearing/hertz friction none\nvariable gone equal f_inner[1]\n"
-        'print "shift ${gone}"\n',
-    )
-    assert "shift 0" in succeed(deck, out=tmp_path, sanitized=True, first=20).text
+    """Reading values between runs does not access freed memory (checked by AddressSanitizer), and
+    they are those at the end of the run."""
+    told = """variable told equal f_inner[1]
+print "shift ${told}"
+pair_style bearing/hertz friction none
+print "shift ${told}"
+"""
+    text = succeed(deck_file(tmp_path, BITS + told), out=tmp_path, sanitized=True, first=20).text
+    one, other = re.findall(r"^shift (\S+)", text, flags=re.M)
+    assert one == other and float(one) != 0
+
+
+def test_the_pair_style_given_again(tmp_path):
+    """The bodies continue to move, the contacts start anew, and all hosts agree."""
+    again = "include tests/contact.${film}\nrun 200\n"
+    deck = deck_file(tmp_path, BITS + again)
+    told = {}
+    for host in ("liggghts", "lammps", "wheel"):
+        succeed(deck, out=tmp_path / host, first=200, host=host)
+        told[host] = frames(tmp_path / host / "balls.dump")[400]
+    assert told["lammps"] == told["wheel"] == told["liggghts"]
+    succeed(deck_file(tmp_path, BITS), out=tmp_path / "whole")
+    whole = frames(tmp_path / "whole" / "balls.dump")[400]
+    assert whole != told["liggghts"]  # the springs of friction have been reset
+
+
+def test_pockets_when_the_pair_style_is_given_again(tmp_path):
+    """The balls stay in the pockets of a one-piece cage, which keeps its angle, and the ring's
+    displacement is still that from its origin."""
+    style = "pair_style bearing oil vg46 models full\npair_coeff * * b\n"
+    text = f"""
+bearing b 6208 types 1 2 3 4 clearance 1.0e-5 cage ring
+{BOX}
+{style}
+create_bearing b speed 300 0 phase 0.1
+fix cage cage bearing/cage/ring b
+fix inner inner bearing/ring free loaded spin speed 300 load 2000 ramp 3.0e-3
+fix move all bearing/implicit
+variable y equal f_inner[2]
+variable angle equal f_cage[10]
+timestep 2.0e-5
+run 700
+{{again}}
+run 300
+print "told ${{{{y}}}} ${{{{angle}}}}"
+"""
+    told = {}
+    for name, again in (("once", ""), ("again", style)):
+        deck = deck_file(tmp_path, text.format(again=again))
+        found = re.search(r"^told (\S+) (\S+)", succeed(deck).text, flags=re.M)
+        told[name] = [float(value) for value in found.groups()]
+    assert told["again"] == pytest.approx(told["once"], rel=1e-3)
+
+
+def test_two_heated_bearings_when_the_pair_style_is_given_again(tmp_path):
+    """Neither of them uses the pair style that has been deleted (checked by AddressSanitizer)."""
+    text = (ROOT / "tests/scenarios/in.warm_two").read_text()
+    style = re.search(r"^pair_style(.*\n)+?.*pair_coeff.* b\n", text, flags=re.M)[0]
+    text = re.sub(r"^(fix record|run_bearing).*\n", "", text, flags=re.M)
+    text += f"timestep 2.0e-5\nrun 20\n{style}run 20\n"
+    succeed(deck_file(tmp_path, text), out=tmp_path, sanitized=True)

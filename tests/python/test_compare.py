@@ -6,9 +6,10 @@ import pytest
 import raceway
 import synthetic
 from commands import answer
-from raceway import compare, kinematics, recording, sensor, spectrum
+from raceway import compare, envelope, kinematics, recording, sensor, spectrum
 from raceway.cli import main
 from raceway.errors import RunError
+from scipy.signal import resample_poly
 
 SHAFT, SAMPLES = 477.5 / 60, 12000  # Hz
 
@@ -72,6 +73,23 @@ def test_another_speed_has_the_same_orders(tmp_path, run):
     faster = recording.Recording(path, run.geometry, rpm=rpm, rate=8 * rate)
     with pytest.raises(RunError, match="must lie between 0 and"):
         compare.compare(run, faster, "shift", "inner", band=(1.2 * rate, 1.5 * rate))
+
+
+def test_the_band_is_one_of_both(tmp_path, run):
+    """A recording at a higher rate rings above the frequencies of the run; the band is chosen
+    among those of both."""
+    sample_s = run.settings["sample_s"]
+    values = resample_poly(spectrum.signal_of(run, "shift"), 4, 1)
+    time = sample_s / 4 * np.arange(len(values))
+    strikes = np.exp(-((((time * 20) % 1 - 0.5) / 0.01) ** 2)) * np.sin(2 * np.pi * 1.5e4 * time)
+    np.savez(tmp_path / "fast.npz", ay=values + 1e-6 * strikes)
+    rpm = run.motion.shaft * 30 / np.pi
+    fast = recording.Recording(tmp_path / "fast.npz", run.geometry, rpm=rpm, rate=4 / sample_s)
+    assert envelope.of_run(fast, "ay", orders=False).attrs["band"][1] > 0.5 / sample_s
+    found = compare.compare(run, fast, "shift", "inner")
+    assert found.band[1] <= 0.5 / sample_s
+    outer = next(one for one in found.lines if one.name == "BPFO")
+    assert outer.run == pytest.approx(outer.recording, rel=1e-3)
 
 
 def test_command(tmp_path, run, capsys):

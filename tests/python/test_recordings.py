@@ -350,7 +350,7 @@ def test_harmonics_of_the_mains_are_not_the_shaft(hum):
         ("a.mat", lambda path: told(path, "load", [1, 2]), {}, "load is not one number"),
         ("a.mat", lambda path: told(path, "rate", []), {}, "speed of the shaft"),
         ("a.dat", lambda path: path.write_text("1"), {}, r"must end in \.mat"),
-        ("a.mat", lambda path: path.write_text("nothing"), {}, "is not a MATLAB file"),
+        ("a.mat", lambda path: path.write_text("nothing"), {}, "not a MATLAB file"),
         ("a.mat", lambda path: io.savemat(path, {"A": 1}), {}, "has A: only X"),
         ("a.csv", lambda path: path.write_text(""), {}, "cannot read"),
         ("a.npz", lambda path: path.write_text("nothing"), {}, "cannot read"),
@@ -375,6 +375,27 @@ def test_files_that_it_refuses(tmp_path, bearing, name, write, words, says):
         write(tmp_path / name)
     with pytest.raises(RunError, match=says):
         recording.Recording(tmp_path / name, bearing, **words)
+
+
+@pytest.mark.parametrize("end", [0.02, 0.5, 0.98])
+@pytest.mark.parametrize("name", ["105.mat", "0007.mat", "a.npz", "a.wav", "a.csv"])
+def test_files_that_end_too_early(tmp_path, bearing, name, end):
+    """A file that was not transferred completely is refused, or read as far as it goes."""
+    path, values = tmp_path / name, np.random.default_rng(1).normal(size=3000)
+    if name == "0007.mat":
+        io.savemat(path, {"X007_DE_time": values[:, None]}, do_compression=True)
+    elif name == "a.npz":
+        np.savez_compressed(path, DE=values)
+    else:
+        {"105.mat": cwru, "a.wav": wav, "a.csv": columns}[name](path, values)
+    whole = path.read_bytes()
+    path.write_bytes(whole[: int(end * len(whole))])
+    try:
+        found = recording.Recording(path, bearing, rate=RATE, rpm=1800)
+    except RunError as error:
+        assert str(path) in str(error)
+    else:
+        assert len(found.signal().values) < len(values)
 
 
 def test_command(tmp_path, capsys):

@@ -5,6 +5,7 @@ are lubricated with different oils."""
 import numpy as np
 import pytest
 import raceway
+from commands import answer, reply
 from host import succeed
 
 AT = {1: 0.03, 2: 0.33}  # m, positions of the bearings along the shaft
@@ -52,3 +53,11 @@ def test_forces_and_moments_balance(run):
     assert force == pytest.approx([0, 0, 0], abs=2e-3 * 1500)
     assert moment[:2] == pytest.approx([0, 0], abs=2e-3 * 1500 * 0.39)
     assert abs(reaction(run, 1)[0][2]) < 2e-3 * 400
+
+
+@pytest.mark.parametrize("ring", ["inner", "outer"])
+def test_the_spectrum_is_that_of_one_bearing(run, capsys, ring):
+    words = ["spectrum", run.tables.folder, "--ring", ring, "--signal", "z"]
+    assert "select one with --bearing NUMBER" in reply(capsys, words, code=1)
+    lines = [answer(capsys, [*words, "--bearing", str(number)]) for number in AT]
+    assert lines[0][0]["order"] != lines[1][0]["order"]

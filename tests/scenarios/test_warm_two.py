@@ -2,6 +2,8 @@
 """in.warm_two: two bearings with different names, each heated by its own fix bearing/heat, share a
 thermal clock and do not affect each other's temperatures."""
 
+import re
+
 import numpy as np
 import pytest
 from host import ROOT, deck_file, refuses, succeed
@@ -54,6 +56,17 @@ def test_one_clock_for_different_loads(tmp_path):
 def test_different_thermal_times_are_refused(tmp_path):
     says = "all bearings share one thermal clock"
     refuses(DECK, says, out=tmp_path, until_a=10, until_b=20)
+
+
+def test_a_part_of_the_bearings_of_a_name_is_refused(tmp_path):
+    """Bearings of one name share their temperatures, so they cannot be heated one by one."""
+    text = re.sub(r"^(pair_coeff|bearing) .*\bb\b.*\n", "", (ROOT / DECK).read_text(), flags=re.M)
+    text = re.sub(r"^fix (rails|heat|ring)_b .*\n", "", text, flags=re.M)
+    text = text.replace("create_bearing b centre", "create_bearing a centre")
+    text = text.replace("inner_a bearing", "inner bearing")
+    text = text.replace("group of_a type 1 2 3 4", "group of_a id 1:20")
+    says = ["fix heat_a bearing/heat", "group of_a has only 9 of the 18 balls of bearing a"]
+    refuses(deck_file(tmp_path, text), *says, out=tmp_path, ranks=2)
 
 
 def own_ambients(folder, **variables):

@@ -62,13 +62,13 @@ def compare(
 
     A run with a higher sampling rate than the recording is resampled to the rate of the recording
     (`sensor.decimated`). Both envelopes use the same `band` (Hz, Hz), which is by default the most
-    impulsive band of the recording. Raise `RunError` in the same cases as `envelope.of_run`, and
-    for a band outside the frequency range of the run.
+    impulsive band of the recording within the frequency range of the run. Raise `RunError` in the
+    same cases as `envelope.of_run`, and for a given band outside this range.
     """
     heard = recording.signal(channel)
-    found = envelope.of_run(recording, channel, band, orders=False)
-    chosen = found.attrs["band"]
     own = _resampled(run, run.signal(name, ring), 1 / heard.sample_s)
+    found = envelope.of_run(recording, channel, band, orders=False, highest=0.5 / own.sample_s)
+    chosen = found.attrs["band"]
     try:
         inside = envelope.of_values(own.values, own.sample_s, *chosen)
     except ValueError as error:

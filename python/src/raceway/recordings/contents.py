@@ -2,6 +2,8 @@
 """Contents of a file of measured signals in SI units, with temperatures in degrees C."""
 
 import math
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -32,6 +34,16 @@ class Contents(NamedTuple):
     rpm: float = math.nan  # speed of the inner ring as stated in the file
     load: float = math.nan  # N, radial load
     measured: bool = False  # True if the speed was measured or is exact, i.e. is not only nominal
+
+
+@contextmanager
+def reading(path: FilePath, kind: str) -> Iterator[None]:
+    """Convert what a reader raises for the file at `path`, which is not a readable file of this
+    `kind`, to `RunError`. The libraries raise errors of many types for damaged files."""
+    try:
+        yield
+    except Exception as error:
+        raise RunError(f"cannot read {path}: it is damaged or not {kind} ({error})") from None
 
 
 def channel(path: FilePath, name: str, values: ArrayLike, rate: float, **words: Any) -> Channel:

@@ -16,7 +16,7 @@ import numpy as np
 from scipy import io
 
 from raceway.errors import RunError
-from raceway.recordings.contents import GRAVITY, POUND, Channel, Contents, channel
+from raceway.recordings.contents import GRAVITY, POUND, Channel, Contents, channel, reading
 
 CWRU = re.compile(r"X(\d+)_(DE|FE|BA)_time")
 PADERBORN = re.compile(r"N(\d\d)_M(\d\d)_F(\d\d)_")  # units: 100 rpm, 0.1 N m, 100 N
@@ -29,12 +29,8 @@ def read(path: Path) -> Contents:
 
     Raise `RunError` if the file is damaged or has only unknown variables.
     """
-    try:
+    with reading(path, "a MATLAB file up to version 7"):
         found = io.loadmat(path, simplify_cells=True)
-    except (ValueError, TypeError, KeyError, NotImplementedError, io.matlab.MatReadError) as error:
-        raise RunError(
-            f"cannot read {path}: it is not a MATLAB file up to version 7 ({error})"
-        ) from None
     data = {name: value for name, value in found.items() if not name.startswith("__")}
     if any(CWRU.fullmatch(name) for name in data):
         return _cwru(path, data)

@@ -5,7 +5,6 @@ and NPZ as distributed for the CWRU recordings."""
 import math
 import re
 import warnings
-import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +12,7 @@ import pandas as pd
 from scipy.io import wavfile
 
 from raceway.errors import RunError
-from raceway.recordings.contents import GRAVITY, Contents, channel
+from raceway.recordings.contents import GRAVITY, Contents, channel, reading
 
 FEMTO = re.compile(r"(acc|temp)_\d+\.csv")
 FEMTO_RATE = {"acc": 25600.0, "temp": 10.0}  # Hz, as published
@@ -84,7 +83,7 @@ def _femto(path, kind):
 
 
 def _table(path, header, rows=None):
-    try:
+    with reading(path, "a table"):
         mark = _separator(path)
         decimal = "," if mark in (";", "\t") and _commas(path) else "."
         table = pd.read_csv(
@@ -96,8 +95,6 @@ def _table(path, header, rows=None):
             nrows=rows,
             low_memory=False,
         )
-    except (ValueError, OSError, UnicodeDecodeError, pd.errors.ParserError) as error:
-        raise RunError(f"cannot read {path}: {error}") from None
     if not len(table):
         raise RunError(f"{path} has no rows")
     return table
@@ -152,13 +149,10 @@ def _rises(column):
 def read_wav(path: Path) -> Contents:
     """Return the `Contents` of a WAV file; integers are divided by their largest value. Integers of
     8 bits are unsigned, with silence at 128. Raises `RunError` if the file cannot be read."""
-    try:
-        with warnings.catch_warnings():
-            # warnings about chunks that the reader ignores
-            warnings.simplefilter("ignore", wavfile.WavFileWarning)
-            rate, values = wavfile.read(path)
-    except (ValueError, OSError) as error:
-        raise RunError(f"cannot read {path}: {error}") from None
+    with reading(path, "a WAV file"), warnings.catch_warnings():
+        # warnings about chunks that the reader ignores
+        warnings.simplefilter("ignore", wavfile.WavFileWarning)
+        rate, values = wavfile.read(path)
     if values.dtype == np.uint8:
         values = (values.astype(np.int16) - 128).astype(np.int8)
     scale = 1 / np.iinfo(values.dtype).max if values.dtype.kind in "iu" else 1.0
@@ -179,11 +173,9 @@ def read_npz(path: Path) -> Contents:
     CWRU files contain DE, FE and BA in g, and their names state speed and rate. Raise `RunError` if
     the file cannot be read.
     """
-    try:
-        with np.load(path) as file:
-            data = {name: file[name] for name in file.files}
-    except (ValueError, OSError, EOFError, zipfile.BadZipFile) as error:
-        raise RunError(f"cannot read {path}: {error}") from None
+    # np.load would not close the file if it is damaged
+    with reading(path, "an NPZ file"), path.open("rb") as opened, np.load(opened) as file:
+        data = {name: file[name] for name in file.files}
     told = NPZ.fullmatch(path.name)
     cwru = {"DE", "FE", "BA"} >= set(data) and bool(data)
     rate = NPZ_RATE.get(told[2], math.nan) if told else math.nan

@@ -6,6 +6,7 @@ structure. The spectrum of the signal shows the ringing. The spectrum of its env
 the resonance shows the impact rate, with the sidebands of any modulation.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -84,17 +85,20 @@ def bands(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> list[Ba
     return found
 
 
-def best_band(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> Band:
-    """Return the most impulsive of `bands`. Raises `ValueError` if there are too few values for a
-    band, or if the values are constant."""
+def best_band(
+    values: ArrayLike, sample_s: float, narrowest: float = 0.0, highest: float = math.inf
+) -> Band:
+    """Return the most impulsive of `bands` that end at most at the frequency `highest` in Hz.
+    Raises `ValueError` if there are too few values for a band, or if the values are constant."""
     values = np.asarray(values, float)
     if values.size and np.ptp(values) <= CONSTANT * np.abs(values).max():
         raise ValueError("the signal is constant")
-    found = bands(values, sample_s, narrowest)
+    found = [band for band in bands(values, sample_s, narrowest) if band.high <= highest]
     if not found:
+        below = f" and below {highest:g} Hz" if highest < 0.5 / sample_s else ""
         raise ValueError(
             f"{np.size(values)} values, {sample_s:g} s apart, are too few to find a band wider"
-            f" than {narrowest:g} Hz"
+            f" than {narrowest:g} Hz{below}"
         )
     return max(found, key=lambda band: band.kurtosis)
 
@@ -105,19 +109,20 @@ def of_run(
     band: tuple[float, float] | None = None,
     ring: str = "inner",
     orders: bool | None = None,
+    highest: float = math.inf,
 ) -> xr.DataArray:
     """Return the spectrum of the envelope of a column of a `ring` of `run`, or of a channel of a
     recording.
 
     The `band` (Hz, Hz) is by default the most impulsive one that is at least three times as wide as
-    BPFI; `attrs["band"]` is the band used. The result is like that of `spectrum.of_run`. Raise
-    `RunError` in the same cases as `spectrum.of_run`, and for a band that extends beyond half the
-    sampling rate.
+    BPFI and ends at most at `highest` (Hz); `attrs["band"]` is the band used. The result is like
+    that of `spectrum.of_run`. Raise `RunError` in the same cases as `spectrum.of_run`, and for a
+    band that extends beyond half the sampling rate.
     """
     values, sample_s, attrs = run.signal(name, ring)
     passes = spectrum.places(run, harmonics=1)["BPFI", 1][1]
     try:
-        chosen = band or best_band(values, sample_s, 3 * passes)[:2]
+        chosen = band or best_band(values, sample_s, 3 * passes, highest)[:2]
         values = of_values(values, sample_s, *chosen)
     except ValueError as error:
         raise RunError(f"{run.where}: {error}") from None

@@ -17,8 +17,10 @@ if TYPE_CHECKING:
 def of_run(run: "Run", name: str, ring: str = "inner") -> Signal:
     """Return the `Signal` of a column of the "inner" or "outer" `ring` of `run`.
 
-    Raise `RunError` if the run does not have the column or has fewer than 32 samples.
+    Raise `RunError` unless one bearing has been selected, if the run does not have the column, or
+    if it has fewer than 32 samples.
     """
+    run.tables.record.need_one()
     values, where, known = (_of_inner if ring == "inner" else _of_outer)(run, name)
     if values is None:
         raise RunError(f"{where} has no column {name}; it has {', '.join(known)}")
@@ -36,15 +38,15 @@ def of_column(name: str, ring: str = "inner") -> dict[str, str]:
 
 def _of_inner(run, name):
     rings = run.rings
-    values = rings[name].to_numpy() if name in rings else None
+    values = rings[name].to_numpy() if name in rings.data_vars else None
     return values, run.tables.record.path, rings.data_vars
 
 
 def _of_outer(run, name):
     record = run.tables.record
     here = np.flatnonzero(record.fixed("ring_raceway") == OUTER)
-    if len(here) != 1:
-        raise RunError(f"{record.path} has {len(here)} outer rings of one bearing, must be one")
+    if not len(here):
+        raise RunError(f"{record.path}: the bearing has no outer ring")
     known = [n for n, dims in record.variables.items() if dims == ("time", "ring")]
     values = None
     if f"ring_{name}" in known:
