@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 import xarray
 from host import ROOT, succeed
-from raceway.runs.statics import places
 from raceway.theory import validity
 from raceway.theory.cage_drag import CageRing
+from raceway.theory.kinematics import places
 from raceway.theory.operating_point import figures
 
 BEARING = """variable balls index {balls}
@@ -66,7 +66,6 @@ def data_file(folder, angle, balls):
 
 def statics(path, balls, load, axial, moment, rpm, temperature, cage):
     """Return the results of statics at all `places` of the balls."""
-    number = places(balls)
     return [
         figures(
             str(path),
@@ -78,11 +77,11 @@ def statics(path, balls, load, axial, moment, rpm, temperature, cage):
             held={} if moment else {"rx": 0.0, "ry": 0.0},
             rpm=rpm,
             temperature=temperature,
-            phase=2 * np.pi / balls * place / number,
+            phase=phase,
             exact_circle=True,
             cage=cage,
         )
-        for place in range(number)
+        for phase in places(balls)
     ]
 
 

@@ -28,16 +28,6 @@ def own_name(name: str, axis: str) -> str:
     return found[1] + "xyz"[("xyz".index(found[2]) - turn) % 3]
 
 
-def axes_in_box(axis: str) -> str:
-    """Return the axes of the box along which x, y and z of the bearing's frame lie.
-
-    >>> axes_in_box("x")
-    'y, z, x of the box'
-    """
-    turn = "xyz".index(axis) + 1
-    return ", ".join("xyz"[(k + turn) % 3] for k in range(3)) + " of the box"
-
-
 @cache
 def along(name: str) -> int | None:
     """Return the index (0 to 2) of the coordinate that a position variable contains, or None for

@@ -15,7 +15,6 @@ from raceway.errors import RunError
 from raceway.runs import warming
 from raceway.runs.cage import cage_figures, cage_ranges
 from raceway.runs.flaws import by_part
-from raceway.runs.frame import axes_in_box
 from raceway.runs.friction import STILL as RESTING
 from raceway.runs.friction import friction
 from raceway.runs.measured import load_parameter, loading, measured
@@ -59,8 +58,6 @@ def summary(tables: RunTables) -> dict[str, Any]:
             " step_s passes"
         ).split()
     }
-    axis = str(settings.get("axis", "z"))
-    result["axes"] = None if axis == "z" else axes_in_box(axis)
     result.update({key: settings[key] if tables.lubricated else None for key in LUBRICANT})
     result.update(_of_bearing(tables))
     result.update(

@@ -36,7 +36,6 @@ TOPICS = {
         Row("flaw_ball", "flaws, balls", None, "fix bearing/profile"),
     ),
     "Inner ring, measured": (
-        Row("axes", "axes x, y, z of the bearing", None),
         Row("force_x_N", "force of the balls along x", "N", "mean"),
         Row("force_y_N", "force of the balls along y", "N", "mean"),
         Row("force_z_N", "force of the balls along z", "N", "mean"),
