@@ -48,6 +48,14 @@ void FixBearingState::part_from_pair()
   pair_ = &none;
 }
 
+bool FixBearingState::has_another_axis() const
+{
+  int other = 0;    // the axis of a ring may tilt, but not by 60 degrees
+  for (int i = 0; i < atom->nlocal; ++i) other |= dot(axis(i), pair_->axis()) < 0.5;
+  MPI_Allreduce(MPI_IN_PLACE, &other, 1, MPI_INT, MPI_MAX, world);
+  return other;
+}
+
 // The forces of the last step are those of the contacts that are forgotten.
 void FixBearingState::forget_contacts()
 {

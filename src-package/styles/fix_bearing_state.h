@@ -77,6 +77,8 @@ class FixBearingState : public Fix {
   // replaces another one takes over the motion of the bodies; its contacts start anew.
   void serve(bearing::PairHooks &pair) { pair_ = &pair; }
   void part_from_pair();
+  // Returns true if bearings have been created about another axis than that of the pair style.
+  bool has_another_axis() const;
   void forget_contacts();
   // Called in the set-up of a run. Afterwards, the axes and angles of rings are assumed to be
   // constant unless a fix calls follow_axes().

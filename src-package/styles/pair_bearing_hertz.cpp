@@ -154,7 +154,12 @@ void PairBearingHertz::put_state_last()
   }
   state_ = dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1]);
   state_->serve(*this);
-  if (new_style_ && at >= 0) state_->forget_contacts();
+  if (new_style_ && at >= 0) {
+    if (state_->has_another_axis())
+      BRG_ALL(std::string("pair_style: axis is ") + "xyz"[coefficients_.axis_index()] +
+              ", but the bearings of the previous run have another axis");
+    state_->forget_contacts();
+  }
   new_style_ = false;
   state_->keep_axes();
 }

@@ -4,7 +4,7 @@
 import re
 
 import pytest
-from host import BOX, ROOT, deck_file, frames, succeed
+from host import BOX, ROOT, deck_file, frames, refuses, succeed
 
 BITS = (ROOT / "tests" / "hosts" / "in.bits").read_text()
 DRAG = "fix drag balls viscous 5.0\n"
@@ -91,14 +91,11 @@ def test_the_pair_style_given_again(tmp_path):
     assert whole != told["liggghts"]  # the springs of friction have been reset
 
 
-def test_pockets_when_the_pair_style_is_given_again(tmp_path):
-    """The balls stay in the pockets of a one-piece cage, which keeps its angle, and the ring's
-    displacement is still that from its origin."""
-    style = "pair_style bearing oil vg46 models full\npair_coeff * * b\n"
-    text = f"""
+STYLE = "pair_style bearing oil vg46 models full\npair_coeff * * b\n"
+CAGED = f"""
 bearing b 6208 types 1 2 3 4 clearance 1.0e-5 cage ring
 {BOX}
-{style}
+{STYLE}
 create_bearing b speed 300 0 phase 0.1
 fix cage cage bearing/cage/ring b
 fix inner inner bearing/ring free loaded spin speed 300 load 2000 ramp 3.0e-3
@@ -111,12 +108,24 @@ run 700
 run 300
 print "told ${{{{y}}}} ${{{{angle}}}}"
 """
+
+
+def test_pockets_when_the_pair_style_is_given_again(tmp_path):
+    """The balls stay in the pockets of a one-piece cage, which keeps its angle, and the ring's
+    displacement is still that from its origin."""
     told = {}
-    for name, again in (("once", ""), ("again", style)):
-        deck = deck_file(tmp_path, text.format(again=again))
+    for name, again in (("once", ""), ("again", STYLE)):
+        deck = deck_file(tmp_path, CAGED.format(again=again))
         found = re.search(r"^told (\S+) (\S+)", succeed(deck).text, flags=re.M)
         told[name] = [float(value) for value in found.groups()]
     assert told["again"] == pytest.approx(told["once"], rel=1e-3)
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
+def test_the_pair_style_given_again_with_another_axis(tmp_path, host):
+    again = STYLE.replace("oil", "axis x oil")
+    deck = deck_file(tmp_path, CAGED.format(again=again))
+    refuses(deck, "axis is x", "the bearings of the previous run have another axis", host=host)
 
 
 def test_two_heated_bearings_when_the_pair_style_is_given_again(tmp_path):
