@@ -26,28 +26,28 @@ variable bore_diameter index 50e-3
 variable outside_diameter index 80e-3
 variable bearing_width index 16e-3
 """
-# angle, balls, radial and axial load, moment, rpm, temperature, largest factor between the torques
+# angle, balls, radial and axial load, moment, rpm, temperature
 NONE = {
-    "moment, hot oil": (15, 16, 165, 165, 0.08, 500, 100, 1.05),
-    "few balls": (25, 4, 50, 50, 0.0, 3000, 40, 1.01),
-    "combined 1:1": (25, 8, 772, 772, 0.0, 8000, 40, 1.01),
-    "combined 1:3": (40, 12, 279, 838, 0.0, 8000, 60, 1.01),
+    "moment, hot oil": (15, 16, 165, 165, 0.08, 500, 100),
+    "few balls": (25, 4, 50, 50, 0.0, 3000, 40),
+    "combined 1:1": (25, 8, 772, 772, 0.0, 8000, 40),
+    "combined 1:3": (40, 12, 279, 838, 0.0, 8000, 60),
 }
 POCKETS = {
-    "light moment": (15, 4, 273, 273, 0.34, 500, 100, 3.0),
-    "high load": (25, 16, 2349, 2349, 2.66, 500, 100, 1.2),
-    "few balls": (25, 4, 401, 401, 0.76, 3000, 60, 1.1),
-    "six balls": (25, 6, 333, 333, 0.88, 3000, 40, 1.1),
-    "high speed": (25, 4, 423, 423, 1.26, 12000, 40, 1.5),
+    "light moment": (15, 4, 273, 273, 0.34, 500, 100),
+    "high load": (25, 16, 2349, 2349, 2.66, 500, 100),
+    "few balls": (25, 4, 401, 401, 0.76, 3000, 60),
+    "six balls": (25, 6, 333, 333, 0.88, 3000, 40),
+    "high speed": (25, 4, 423, 423, 1.26, 12000, 40),
 }
 GYROSCOPIC = {
-    "1:3": (40, 16, 285, 855, 0.0, 12000, 100, 2.3),
-    "1:1": (25, 6, 174, 174, 0.0, 8000, 100, 1.8),
+    "1:3": (40, 16, 285, 855, 0.0, 12000, 100),
+    "1:1": (25, 6, 174, 174, 0.0, 8000, 100),
 }
 UNLOADED = {
-    "two of four balls": (40, 4, 790, 263, 0.0, 8000, 100, 1.4),
-    "slow": (40, 4, 149, 50, 0.0, 1500, 40, 1.15),
-    "fast": (25, 6, 1185, 395, 0.0, 12000, 60, 1.1),
+    "two of four balls": (40, 4, 790, 263, 0.0, 8000, 100),
+    "slow": (40, 4, 149, 50, 0.0, 1500, 40),
+    "fast": (25, 6, 1185, 395, 0.0, 12000, 60),
 }
 
 
@@ -85,9 +85,13 @@ def statics(path, balls, load, axial, moment, rpm, temperature, cage):
     ]
 
 
+def mean_torque(found):
+    return np.mean([one["friction_torque_N_m"] for one in found])
+
+
 @pytest.mark.parametrize(("kind", "scene"), list(scenes()))
 def test_runs_are_in_the_range(tmp_path, kind, scene):
-    angle, balls, load, axial, moment, rpm, temperature, factor = scene
+    angle, balls, load, axial, moment, rpm, temperature = scene
     path = data_file(tmp_path, angle, balls)
     words = dict(bearing=path, lubricant="vg46", temperature=temperature, models="full")
     words |= dict(load=load, axial=axial, moment_y=moment, rpm=rpm, load_azimuth=0)
@@ -95,9 +99,12 @@ def test_runs_are_in_the_range(tmp_path, kind, scene):
     succeed("inputs/in.6208", out=out, settle="auto", passes=2 * balls, samples=40, **words)
     with xarray.open_dataset(out / "record.nc") as data:
         torque = -float(data["ring_torque"].isel(ring=0, time=slice(1, None)).mean())
-    found = statics(path, balls, load, axial, moment, rpm, temperature, CageRing())
-    mean = np.mean([one["friction_torque_N_m"] for one in found])
-    assert 1 / factor <= torque / mean <= factor
+    point = load, axial, moment, rpm, temperature
+    found = statics(path, balls, *point, CageRing())
+    if kind == "pockets":  # without the losses of balls that the cage restrains, statics is worse
+        loose = statics(path, balls, *point, CageRing(play=1e-2))
+        restrained, free = (abs(np.log(torque / mean_torque(one))) for one in (found, loose))
+        assert restrained < free
     ends = [one["ranges"]["friction_torque_N_m"] for one in found]
     assert min(one["low"] for one in ends) <= torque <= max(one["high"] for one in ends)
     texts = json.dumps([one["warnings"] for one in found])
@@ -109,7 +116,7 @@ def test_runs_are_in_the_range(tmp_path, kind, scene):
 def test_pockets_that_do_not_rub(tmp_path, scene):
     """Without friction in the pockets, the power at the cage is that of its oil alone, and the slip
     of the balls that the cage restrains remains."""
-    angle, balls, *point, _ = scene
+    angle, balls, *point = scene
     path = data_file(tmp_path, angle, balls)
     rough, smooth, loose = (
         statics(path, balls, *point, cage)[0]["losses_W"]

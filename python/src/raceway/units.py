@@ -11,7 +11,8 @@ def prefixed(value: float, unit: str, digits: int = 4) -> str:
     """Format `value` in `unit` with `digits` significant digits and an SI prefix. For example,
     2.571e9 and "Pa" give 2.571 GPa.
 
-    No prefix is used for values without a unit, in degrees or in m³/s, or for angles below 1 µrad.
+    No prefix is used for values without a unit, in degrees or in m³/s, or for angles below 1
+    µrad.
 
     >>> prefixed(2.571e9, "Pa"), prefixed(3.4867e-05, "m"), prefixed(1.4, "")
     ('2.571 GPa', '34.87 µm', '1.4')
