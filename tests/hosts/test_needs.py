@@ -105,7 +105,13 @@ def reference(answered):
     own, _, folder = answered
     for point in folder.glob("*/summary.json"):
         asked = (point.parent / "run.yaml").read_text()
-        words = ("tolerance=1e-10", "samples=400", ",without=none", "cage=ring", "cage_without=none")
+        words = (
+            "tolerance=1e-10",
+            "samples=400",
+            ",without=none",
+            "cage=ring",
+            "cage_without=none",
+        )
         if all(word in asked for word in (*words, "surroundings=flooded")):
             found = json.loads(point.read_text())
             if found["models"] == "full" and found["integrator"] == "implicit":

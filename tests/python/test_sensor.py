@@ -40,7 +40,10 @@ def test_leaves_a_mean_alone():
     [
         (2e5, "rate 200000 Hz must lie between 0 and 192000 Hz"),
         (0, "must lie between 0"),
-        (100, "rate 100 Hz leaves 20 values of 0.2 s, fewer than the 50 at which the filter starts"),
+        (
+            100,
+            "rate 100 Hz leaves 20 values of 0.2 s, fewer than the 50 at which the filter starts",
+        ),
     ],
 )
 def test_rates_that_it_refuses(rate, says):

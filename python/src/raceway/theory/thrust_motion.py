@@ -194,7 +194,7 @@ class _Balance:
             along, beside = limit * forward * law.along, limit * law.across
             shares = laws.spin_shares(np.abs(spins) * a, width, np.hypot(slides, across))
             couple = np.sign(spins) * shares.spin * spin.moment(load, friction, a, ellipse.second)
-            # spin leaves the couple that balances the power of the force at the slip of free rolling
+            # spin leaves the couple that balances the power of the force at free rolling's slip
             kept = -(sliding.FREE**2) * curve * along
             slip = -limit * law.couple * curve**2 / width * rolls
             slip = kept + shares.slip * (slip - kept)
