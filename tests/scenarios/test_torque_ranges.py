@@ -12,8 +12,8 @@ import pytest
 import xarray
 from host import ROOT, succeed
 from raceway.theory import validity
-from raceway.theory.cage_drag import CageRing
 from raceway.theory.ball_pass import places
+from raceway.theory.cage_drag import CageRing
 from raceway.theory.operating_point import figures
 
 BEARING = """variable balls index {balls}
