@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from deck_runs import MAIN, ROOT, cost, factor, run_deck
-from machine import publish
+from machine import count_asked, publish
 
 # {rpm: required real-time factor of the main deck}
 SPEEDS = {47.75: 200.0, 477.5: 20.0, 9549.0: 0.6}
@@ -180,8 +180,7 @@ def row(cells):
 
 def main():
     """Measure, print the results and write the page."""
-    words = [word for word in sys.argv[1:] if word != "--print"]
-    results = measure(int(words[0]) if words else 5)
+    results = measure(count_asked(5))
     rows = []
     for output in OUTPUTS:
         cells = [output]
