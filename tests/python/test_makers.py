@@ -30,6 +30,13 @@ def test_sums_with_a_bath_to_mid_ball():
     assert found.total == pytest.approx([199, 147, 181, 246], abs=0.5)
 
 
+def test_a_bearing_at_rest():
+    """The sliding torque remains; the drag of the oil vanishes, as it does at low speeds."""
+    slow, still = (makers.skf(B6208, 5000.0, 0.0, speed, 46.0, level=6.3) for speed in (1e-9, 0.0))
+    assert still.drag == 0 and slow.drag < 1e-4
+    assert still.total == pytest.approx(slow.total, rel=1e-4)
+
+
 def test_palmgren():
     # the printed row was written from memory with a rounded viscosity, hence the tolerance of 0.6 %
     speed, load = makers.palmgren(B6208, 5000.0, SPEEDS, 46.0)

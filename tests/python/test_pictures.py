@@ -51,6 +51,14 @@ def test_kinds(folder, capsys, kind):
     assert path.stat().st_size < 300_000
 
 
+@pytest.mark.parametrize("command", ["plot --kind polar", "plot --kind bearing", "animate"])
+def test_balls_without_load(tmp_path, lubricated, capsys, command):
+    frames = [[] for _ in lubricated["contacts"]]
+    folder = synthetic.write(tmp_path / "run", dict(lubricated, contacts=frames))
+    said = reply(capsys, [*command.split(), folder, "--out", tmp_path / "a.gif"], code=1)
+    assert "no ball carries load in any sample" in said
+
+
 @pytest.mark.parametrize("end, start", [(".pdf", b"%PDF"), (".SVG", b"<?xml"), ("", b"\x89PNG")])
 def test_format_by_the_ending_of_the_name(folder, tmp_path, end, start):
     path = tmp_path / f"a{end}"

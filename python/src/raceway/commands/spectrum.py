@@ -166,7 +166,8 @@ def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> s
     sign = "Hz" if of == "frequency" else "  "
     for line in found:
         name = line.name if line.harmonic == 1 else f"{line.name} x{line.harmonic}"
-        start = f"  {name:<14}{line.order:>9.4f}{line.expected:>11.4f} {sign}"
+        order = f"{line.order:.4f}" if math.isfinite(line.order) else "-"
+        start = f"  {name:<14}{order:>9}{line.expected:>11.4f} {sign}"
         if line.note:
             rows.append(f"{start}  {line.note}")
             continue

@@ -11,7 +11,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
 from raceway.pictures.page import key
-from raceway.pictures.part import LIGHT, tracks
+from raceway.pictures.part import LIGHT, largest_load, tracks
 from raceway.pictures.style import COLOUR, FAINT, INK, NAME, REGIMES, SOFT
 from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
@@ -20,8 +20,8 @@ from raceway.units import axis
 
 def loads(axes: Axes, tables: RunTables) -> float:
     """Plot the contact loads of the run `tables` on polar `axes`, and return the factor that
-    converts newtons to the unit of the plot."""
-    largest = tables.contacts["load"].max()
+    converts newtons to the unit of the plot. Raises `RunError` if no ball carries load."""
+    largest = largest_load(tables)
     factor, unit = axis(largest, "N")
     # the outer curve is drawn first and wider, because the inner curve covers it at low centrifugal
     # load

@@ -14,7 +14,7 @@ from matplotlib.patches import Circle, Polygon
 from raceway.files import FilePath
 from raceway.pictures import style
 from raceway.pictures.page import fit
-from raceway.pictures.part import shown, tracks
+from raceway.pictures.part import largest_load, shown, tracks
 from raceway.pictures.scene import COLOURS, Scene, scene
 from raceway.pictures.style import FAINT, INK, MAP, SOFT
 from raceway.runs.measured import rpm, speeds, title
@@ -39,8 +39,8 @@ def bearing(
     Raises `RunError` if the run's files are invalid or the picture cannot be written.
     """
     tables = shown(tables)
-    contacts = tables.contacts
-    sample = int(contacts.loc[contacts["load"].idxmax(), "sample"])
+    contacts, largest = tables.contacts, largest_load(tables)
+    sample = int(contacts.loc[contacts["load"] == largest, "sample"].iloc[0])
     with plt.rc_context(style.STYLE):
         sheet = Sheet(tables, scene(tables, np.array([sample]), colour, factor), colour)
         sheet.show(0)
@@ -203,7 +203,7 @@ class Sheet:
     # ---- around the ring
     # ------------------------------------------------------------------------------
     def _around(self, axes):
-        top = self.tables.contacts["load"].max()
+        top = largest_load(self.tables)
         factor, unit = axis(top, "N")
         for psi, load in tracks(self.tables, OUTER, "load"):
             turn = 2 * np.pi * np.round(psi / (2 * np.pi))

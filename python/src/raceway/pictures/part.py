@@ -36,6 +36,15 @@ def shown(tables: RunTables, note: str = "") -> RunTables:
     return tables.window(slice(tables.first, tables.first + shown_samples))
 
 
+def largest_load(tables: RunTables) -> float:
+    """Return the largest contact load of the run `tables` in N. Raises `RunError` if no ball
+    carries load."""
+    largest = tables.contacts["load"].max()
+    if not largest > 0:
+        raise RunError(f"{tables.record.path}: no ball carries load in any sample")
+    return float(largest)
+
+
 def filmed(tables: RunTables) -> bool:
     """Return True if the contacts of the run `tables` have films."""
     return tables.lubricated and {"h_min", "h_c"} <= set(tables.contacts)

@@ -153,7 +153,8 @@ def drag(bearing: Boundary, speed: Numbers, kinematic: Numbers, level: float) ->
     wall = 0.36 * mean**2 * (t - np.sin(t)) * 0.05 * slender
     churning = np.interp(level / mean, LEVEL, CHURNING)
     return 0.4 * churning * slender * 1e-12 * mean**5 * speed**2 + (
-        1.093e-7 * speed**2 * mean**3 * (speed * mean**2 * wetted / kinematic) ** -1.379 * wall
+        # n^2 (n d_m^2 f_t/nu)^-1.379, which is 0 at rest
+        1.093e-7 * speed**0.621 * mean**3 * (mean**2 * wetted / kinematic) ** -1.379 * wall
     )
 
 
