@@ -380,7 +380,8 @@ def test_files_that_it_refuses(tmp_path, bearing, name, write, words, says):
 @pytest.mark.parametrize("end", [0.02, 0.5, 0.98])
 @pytest.mark.parametrize("name", ["105.mat", "0007.mat", "a.npz", "a.wav", "a.csv"])
 def test_files_that_end_too_early(tmp_path, bearing, name, end):
-    """A file that was not transferred completely is refused, or read as far as it goes."""
+    """A file that was not transferred completely is refused. Only a CSV file, which does not state
+    its length, is read as far as it goes."""
     path, values = tmp_path / name, np.random.default_rng(1).normal(size=3000)
     if name == "0007.mat":
         io.savemat(path, {"X007_DE_time": values[:, None]}, do_compression=True)
@@ -395,7 +396,7 @@ def test_files_that_end_too_early(tmp_path, bearing, name, end):
     except RunError as error:
         assert str(path) in str(error)
     else:
-        assert len(found.signal().values) < len(values)
+        assert name == "a.csv" and len(found.signal().values) < len(values)
 
 
 def test_command(tmp_path, capsys):

@@ -152,6 +152,7 @@ def read_wav(path: Path) -> Contents:
     with reading(path, "a WAV file"), warnings.catch_warnings():
         # warnings about chunks that the reader ignores
         warnings.simplefilter("ignore", wavfile.WavFileWarning)
+        warnings.filterwarnings("error", "Reached EOF", wavfile.WavFileWarning)  # incomplete
         rate, values = wavfile.read(path)
     if values.dtype == np.uint8:
         values = (values.astype(np.int16) - 128).astype(np.int8)
