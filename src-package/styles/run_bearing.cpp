@@ -235,7 +235,7 @@ void RunBearing::settle()
   } else if (now().begin_steps == 0.0) {
     settle_adaptively();
   }
-  if (now().steps == 0.0 || settings_.orbit) now().coarse = now().may_be_coarse;
+  if (now().passes == 0.0) now().coarse = now().may_be_coarse;
   choose_steps();
   warm_up();
   if (automatic()) settle_until_still();
