@@ -181,18 +181,6 @@ def test_stopped_on_the_way(at, whole, tmp_path):
     assert values(whole)[1] == values(tmp_path)[1]
 
 
-def test_stopped_after_the_last_ball_pass(whole, tmp_path):
-    """The measurement has the steps of the deck, even if it begins with a continued run."""
-    steps, within = 111, 10  # 11 under the ramp and 20 in each ball pass; the measurement has fewer steps
-    scene = {**SHORT, "keep": steps * within, "last": "no"}
-    succeed(run_deck, out=tmp_path, **scene)
-    (tmp_path / "record.nc").unlink()
-    done = succeed(run_deck, out=tmp_path, resume="yes", **scene)
-    assert "Ball pass" not in done.text  # nothing was left to settle
-    assert differ(whole, tmp_path) == []
-    assert values(whole)[1] == values(tmp_path)[1]
-
-
 def test_stopped_among_coarse_ball_passes(tmp_path):
     """Balls that leave the load zone are followed with coarse steps."""
     # the measurement is long enough for the signal to arrive
