@@ -264,9 +264,9 @@ void FixBearingCheckpoint::publish()
   for (const std::string &f : files_) bearing::flush_to_disk(f);
   // the host does not check its writes; they are assumed to have succeeded if the disk accepts more
   // data
-  std::string why = bearing::disk_is_full(file_);
-  if (why.empty() && !bearing::write_sum(part_)) why = "its checksum cannot be added";
-  if (why.empty() && !bearing::flush_to_disk(part_)) why = strerror(errno);
+  const bool summed = bearing::write_sum(part_);
+  std::string why = bearing::flush_with_room(part_);
+  if (why.empty() && !summed) why = "its checksum cannot be added";
   if (why.empty() && rename(part_.c_str(), file_.c_str()) != 0) why = strerror(errno);
   if (why.empty()) return;
   unlink(part_.c_str());
