@@ -29,7 +29,7 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
   if (args.more() && args.next_is_number())
     nevery = args.integer("steps between samples", 1, 1000000000);
   else wait();
-  for (const std::string &word : args.rest()) said_ += (said_.empty() ? "" : " ") + word;
+  said_ = bearing::joined(args.rest(), " ");
   idle_ = pair_->dry_by_choice();
   read_options(args);
   const bool all = model_.surrounded();

@@ -23,10 +23,12 @@ inline std::string name_of(const LAMMPS_NS::Fix &fix)
   return std::string("fix ") + fix.id + " " + fix.style;
 }
 
-// Makes a fix provide a scalar and a vector of n values, none of which grows with the system.
+// Makes a fix provide a scalar and, unless n is 0, a vector of n values, none of which grows with
+// the system.
 inline void provide_values(LAMMPS_NS::Fix &fix, int n, int every = 1)
 {
-  fix.scalar_flag = fix.vector_flag = 1;
+  fix.scalar_flag = 1;
+  fix.vector_flag = n > 0 ? 1 : 0;
   fix.size_vector = n;
   fix.extscalar = fix.extvector = 0;
   fix.global_freq = every;
