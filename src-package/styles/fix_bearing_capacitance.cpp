@@ -91,9 +91,7 @@ void FixBearingCapacitance::read_options(Arguments &args)
       args.unknown();
     }
   }
-  if (within_ > 1 && nevery != 1)
-    args.fail("'within' takes samples evenly within every step: N must be 1, not " +
-              std::to_string(nevery));
+  bearing::check_within(args, within_, nevery);
   if (idle_) return;
   given_ = model_;
   said_given_ = said_;

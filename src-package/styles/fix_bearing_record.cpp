@@ -111,9 +111,7 @@ void FixBearingRecord::read_options(Arguments &args)
     }
   }
   if (dumps_ && within_ == 0) within_ = 1;    // dumps are written only at the ends of steps
-  if (within_ > 1 && nevery != 1)
-    args.fail("'within' takes samples evenly within every step: N must be 1, not " +
-              std::to_string(nevery));
+  bearing::check_within(args, within_, nevery);
   if (!chosen) bearing::select_columns(args, "usual", offer, columns_);
   // values that are constant over the samples of a contact are stored as coordinates, not as
   // columns

@@ -5,6 +5,7 @@
 
 #include "../contacts/instants.h"
 #include "../core/settings/arguments.h"
+#include "../core/settings/written.h"
 #include "citation.h"
 #include "fixes.h"
 
