@@ -19,8 +19,8 @@ struct DataError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Returns the parts that `without` leaves out, joined by + or none. Throws DataError for a part that
-// does not exist.
+// Returns the parts that `without` leaves out, joined by + or none. Throws DataError for a part
+// that does not exist.
 std::set<std::string> left_out(const std::string &without, const std::vector<std::string> &parts);
 
 typedef std::map<std::string, std::string> OilWords;    // maps the name of each datum to its value
