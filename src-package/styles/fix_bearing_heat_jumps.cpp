@@ -48,10 +48,7 @@ void FixBearingHeat::end_of_step()
     case WATCH:
       if (update->ntimestep % stride_ == 0) {
         const double dt = stride_ * update->dt;
-        const HeatPass p = losses();
-        for (int k = 0; k < heat_inputs; ++k) now_.sum.heat[k] += dt * p.heat[k];
-        now_.sum.inner += dt * p.inner;
-        now_.sum.outer += dt * p.outer;
+        now_.sum.add(losses(), dt);
         now_.summed += dt;
       }
       if (passed(now_.since) && now_.summed > 0.0) now_.stage = READY;
@@ -65,11 +62,8 @@ void FixBearingHeat::end_of_step()
 // Returns the mean values of the last ball pass.
 HeatPass FixBearingHeat::mean_pass() const
 {
-  HeatPass seen = now_.sum;
-  const double share = 1.0 / now_.summed;
-  for (double &one : seen.heat) one *= share;
-  seen.inner *= share;
-  seen.outer *= share;
+  HeatPass seen;
+  seen.add(now_.sum, 1.0 / now_.summed);
   seen.convection = convection();
   return seen;
 }

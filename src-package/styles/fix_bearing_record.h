@@ -49,10 +49,8 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
 
  private:
   void begin(const bearing::Sampling &) override;
-  enum class Note { number, goal, text };
   void read_rate(bearing::Arguments &);
   void read_options(bearing::Arguments &);
-  void read_notes(bearing::Arguments &, Note);
   void begin_dumps();
   void check_path();
   void check_finished();

@@ -5,6 +5,7 @@
 
 #include "../contacts/instants.h"
 #include "../core/settings/arguments.h"
+#include "../core/settings/written.h"
 #include "citation.h"
 #include "fixes.h"
 #include "simulated_time.h"
@@ -286,13 +287,11 @@ void PairBearingHertz::read_restart BRG_READ_RESTART_SIG
   bearing::Commands commands;
   const std::string wrong = bearing::read_commands(fp, world, commands);
   if (!wrong.empty()) BRG_ALL("pair_style bearing: " + wrong);
-  for (auto &words : commands) {
-    std::vector<char *> arg;
-    for (std::string &w : words) arg.push_back(&w[0]);
-    const int narg = static_cast<int>(arg.size());
-    if (&words == &commands.front()) settings(narg, arg.data());
-    else coeff(narg, arg.data());
-  }
+  for (const auto &words : commands)
+    bearing::pass_words(words, [&](int narg, char **arg) {
+      if (&words == &commands.front()) settings(narg, arg);
+      else coeff(narg, arg);
+    });
   double time;
   if (comm->me == 0 && fread(&time, sizeof time, 1, fp) != 1)
     BRG_ONE(std::string("pair_style bearing: ") + bearing::CUT_OR_DAMAGED);
