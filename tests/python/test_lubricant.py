@@ -89,7 +89,6 @@ def test_slope_with_temperature(name):
 
 
 def test_roelands():
-    assert lubricant.roelands_exponent(0.04, 22e-9) == pytest.approx(0.66841, abs=5e-6)
     assert lubricant.roelands(0.04, 22e-9, 0.0) == 0.04
     small = 10.0
     slope = np.log(lubricant.roelands(0.04, 22e-9, small) / 0.04) / small
