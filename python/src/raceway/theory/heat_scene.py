@@ -17,7 +17,7 @@ import numpy as np
 
 from raceway import inputs
 from raceway.errors import NoEquilibrium
-from raceway.theory import cage_drag, friction_torque, heat, makers, running
+from raceway.theory import cage_drag, contact_friction, heat, makers, running
 from raceway.theory.bearing import INNER, Bearing
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubricant import Fluid, Lubricant
@@ -54,7 +54,7 @@ class CirculatingOil:
 class Scene:
     """A bearing with its oil and load, for which friction is computed from temperature and
     clearance. `spin_law`, `models` and `cage` are as in `operating_point.figures`, `held` is as in
-    `static.equilibrium`, and `size` and `supply` are as in `friction_torque.surfaces`."""
+    `static.equilibrium`, and `size` and `supply` are as in `contact_friction.surfaces`."""
 
     bearing: Bearing
     lubricant: Lubricant
@@ -85,7 +85,7 @@ class Scene:
         """Compute the equilibrium and the films for oil at a temperature in degrees C and for a
         clearance in m."""
         fluid, ring = self.lubricant.at(temperature), self.ring
-        surfaces = friction_torque.surfaces(
+        surfaces = contact_friction.surfaces(
             self.bearing, self.size, fluid, ring, self.models, self.supply
         )
         found = running.find(

@@ -18,8 +18,8 @@ from raceway.arrays import plain
 from raceway.files import FilePath
 from raceway.theory import (
     cage_drag,
+    contact_friction,
     excursion,
-    friction_torque,
     life,
     makers,
     operating_life,
@@ -103,7 +103,7 @@ def figures(
     film = friction = None
     if models != model_names.PAPER and wet:
         film = FilmInGap(fluid, spin)
-        surfaces = friction_torque.surfaces(
+        surfaces = contact_friction.surfaces(
             body, inputs.size(path), _complete(fluid, models), spin, models, supply
         )
         friction = Friction(surfaces, spin_law, cage)

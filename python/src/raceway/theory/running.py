@@ -9,8 +9,9 @@ from raceway.inputs import Oil
 from raceway.theory import friction_torque, thrust_motion
 from raceway.theory.bearing import Bearing
 from raceway.theory.cage_drag import CageRing
+from raceway.theory.contact_friction import Surfaces
 from raceway.theory.contact_law import FilmInGap
-from raceway.theory.friction_torque import Losses, Surfaces
+from raceway.theory.friction_torque import Losses
 from raceway.theory.lubricant import Fluid
 from raceway.theory.lubrication import Lubrication, lubricate, turning
 from raceway.theory.static import Equilibrium
