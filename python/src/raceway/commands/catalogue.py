@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from raceway.commands import options
-from raceway.commands.quantity import number
+from raceway.commands.quantity import number, variable
 
 HELP = "list and search bearings by size, rating and name"
 DESCRIPTION = """\
@@ -61,7 +61,7 @@ def add(one: argparse.ArgumentParser) -> None:
         )
     one.add_argument(
         "--contact-angle",
-        type=number(0, 60, "degrees"),
+        type=variable("contact_angle"),
         metavar="DEG",
         help="nominal contact angle in degrees; 0 selects deep groove ball bearings",
     )

@@ -8,7 +8,7 @@ import sys
 from raceway import files
 from raceway.commands import options
 from raceway.commands.program import program
-from raceway.commands.quantity import number
+from raceway.commands.quantity import number, variable
 
 HELP = "compute steady temperature, viscosity, clearance, film and friction torque from theory"
 DESCRIPTION = """\
@@ -55,7 +55,7 @@ def add(one: argparse.ArgumentParser) -> None:
     )
     one.add_argument(
         "--ambient",
-        type=number(-40, 150, "C"),
+        type=variable("ambient"),
         default=20.0,
         metavar="C",
         help="ambient temperature in degrees Celsius (default: 20)",
@@ -77,7 +77,7 @@ def add(one: argparse.ArgumentParser) -> None:
     )
     one.add_argument(
         "--oil-flow",
-        type=number(1e-12, 1e-2, "m^3/s"),
+        type=variable("oil_flow"),
         default=0.0,
         metavar="FLOW",
         help="flow of oil that carries heat away, in m^3/s at 40 C, or with a unit, e.g. 1L/min"
@@ -85,7 +85,7 @@ def add(one: argparse.ArgumentParser) -> None:
     )
     one.add_argument(
         "--oil-inlet",
-        type=number(-40, 150, "C"),
+        type=variable("oil_inlet"),
         metavar="C",
         help="inlet temperature of the flowing oil in degrees Celsius (default: ambient)",
     )

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from raceway.commands import options
-from raceway.commands.quantity import number
+from raceway.commands.quantity import number, variable
 from raceway.recordings import WITHIN
 from raceway.theory.models import STATICS
 from raceway.units import prefixed
@@ -89,7 +89,7 @@ def add(one: argparse.ArgumentParser) -> None:
     )
     lines.add_argument(
         "--temperature",
-        type=number(-40, 200, "C"),
+        type=variable("temperature"),
         metavar="C",
         help="oil temperature in degrees Celsius (default: unknown)",
     )

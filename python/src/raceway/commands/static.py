@@ -8,7 +8,7 @@ import math
 from functools import partial
 
 from raceway.commands import options
-from raceway.commands.quantity import number
+from raceway.commands.quantity import number, variable
 from raceway.theory import models
 
 HELP = "compute loads, tilt, film and capacitance from theory, without a simulation"
@@ -68,7 +68,7 @@ def add(one: argparse.ArgumentParser) -> None:
     )
     loads.add_argument(
         "--moment",
-        type=number(-1e5, 1e5, "N m"),
+        type=variable("moment_x"),
         nargs=2,
         metavar=("MX", "MY"),
         help="moments about x and y in newton metres; frees the tilts, even if they are 0 0",
@@ -118,7 +118,7 @@ def add(one: argparse.ArgumentParser) -> None:
     )
     balls.add_argument(
         "--density",
-        type=number(100, 3e4, "kg/m^3"),
+        type=variable("ball_density"),
         metavar="RHO",
         help="density of the balls in kg/m^3 (default: ball_density in the bearing's file, or"
         " 7800)",

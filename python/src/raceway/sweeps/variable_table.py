@@ -23,9 +23,15 @@ def rows() -> list[dict[str, Any]]:
 
 
 @cache
+def row(name: str) -> dict[str, Any]:
+    """Return the row of a variable. Raises `KeyError` if there is none."""
+    return {row["name"]: row for row in rows()}[name]
+
+
+@cache
 def default(name: str) -> str:
     """Return the default of a variable as text, which is empty if the command or the data files
-    define it."""
+    define it, or if there is no such variable."""
     return next((row["default"] for row in rows() if row["name"] == name), "")
 
 
