@@ -4,7 +4,7 @@ values."""
 
 import numpy as np
 import pytest
-from raceway import film_voltage, impedance, rough_film
+from raceway import capacitance, film_voltage, impedance, rough_film
 
 
 def test_division():
@@ -62,17 +62,20 @@ def test_impedance_and_back():
         impedance.impedance(1e-10, 0.0)
 
 
+def test_leak_of_one_fill():
+    """The product R C equals rho eps_0 eps for any geometry."""
+    paths = np.random.default_rng(1).uniform(1.0, 9.0, (2, 5))
+    r = impedance.leak_of_films(paths, 1e10)
+    c = capacitance.bearing(*(capacitance.VACUUM * 2.2 * paths))
+    assert r * c == pytest.approx(1e10 * capacitance.VACUUM * 2.2)
+
+
 def test_film_from_capacitance():
     c = 7.4e-11
     scale = impedance.film_scale(c + 3e-11, lambda scale: c / scale + 3e-11)
     assert scale == pytest.approx(1.0, rel=1e-10)
     with pytest.raises(ValueError, match="films from 0.001 to 1000 times"):
         impedance.film_scale(2e-11, lambda scale: c / scale + 3e-11)
-
-
-def test_bearing_voltage_ratio():
-    ratio = impedance.bearing_voltage_ratio(50e-12, 1e-9, 200e-12, 200e-12)
-    assert ratio == pytest.approx(0.03448, abs=5e-6)
 
 
 def test_rough_films():
