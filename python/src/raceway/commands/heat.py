@@ -2,11 +2,10 @@
 """`raceway heat`: compute the steady temperature of a bearing and what follows from it."""
 
 import argparse
-import json
 import sys
 
 from raceway import files
-from raceway.commands import options
+from raceway.commands import options, output
 from raceway.commands.program import program
 from raceway.commands.quantity import number, variable
 
@@ -109,9 +108,7 @@ def add(one: argparse.ArgumentParser) -> None:
         metavar="COMMAND",
         help="with --runs: program that runs the deck (default: build/liggghts)",
     )
-    one.add_argument(
-        "--json", action="store_true", help="print a JSON object, or a list for several points"
-    )
+    output.option(one, output.POINTS)
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -129,10 +126,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.oil_inlet is not None and not arguments.oil_flow:
         arguments.complain("--oil-inlet applies to flowing oil: give --oil-flow")
     results = [_figures(arguments, point) for point in points]
-    if arguments.json:
-        print(json.dumps(results if results[1:] else results[0], indent=2, allow_nan=False))
-    else:
-        print(curves(results) if results[1:] else table(results[0]))
+    output.show_each(arguments, results, table, curves)
 
 
 def _figures(arguments, of):

@@ -3,11 +3,10 @@
 simulation."""
 
 import argparse
-import json
 import math
 from functools import partial
 
-from raceway.commands import options
+from raceway.commands import options, output
 from raceway.commands.quantity import number, variable
 from raceway.theory import models
 
@@ -145,9 +144,7 @@ def add(one: argparse.ArgumentParser) -> None:
         " bearing's file)",
     )
     options.cleanliness(one)
-    one.add_argument(
-        "--json", action="store_true", help="print a JSON object, or a list for several points"
-    )
+    output.option(one, output.POINTS)
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -217,7 +214,7 @@ def run(arguments: argparse.Namespace) -> None:
             )
         )
         table = load_spectrum.table
-    print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))
+    output.show(arguments, result, table)
 
 
 def _hold(text):
