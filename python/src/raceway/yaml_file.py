@@ -9,7 +9,7 @@ from typing import Any
 
 import yaml
 
-from raceway.errors import InputError, RacewayError
+from raceway.errors import InputError, RacewayError, unreadable
 from raceway.files import FilePath
 
 LARGEST = 1 << 18  # characters; parsing a file of this size already takes seconds
@@ -79,8 +79,7 @@ def read(path: FilePath, error: type[RacewayError] = InputError) -> Any:
         with open(Path(path), encoding="utf-8") as file:
             return parse(file.read(LARGEST + 1))
     except (OSError, ValueError) as problem:
-        why = getattr(problem, "strerror", None) or problem
-        raise error(f"cannot read {path}: {why}") from None
+        raise error(unreadable(path, problem)) from None
 
 
 def number(value: Any) -> float:

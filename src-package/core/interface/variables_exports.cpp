@@ -13,8 +13,9 @@ static std::string variables_text()
   const auto &table = bearing::deck_variables();
   for (const bearing::DeckVariable &v : table)
     json.add("  {\"name\": \"%s\", \"default\": \"%s\", \"unit\": \"%s\", \"range\": \"%s\",\n"
-             "   \"of\": \"%s\", \"meaning\": \"%s\", \"models\": \"%s\"}%s\n",
-             v.name, v.initial, v.unit, v.range, v.of, v.meaning, v.models,
+             "   \"of\": \"%s\", \"meaning\": \"%s\", \"models\": \"%s\",\n"
+             "   \"without_default\": \"%s\"}%s\n",
+             v.name, v.initial, v.unit, v.range, v.of, v.meaning, v.models, v.without_default,
              &v == &table.back() ? "" : ",");
   json.add("]\n");
   return json.text;

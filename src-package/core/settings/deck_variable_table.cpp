@@ -189,11 +189,13 @@ const std::vector<DeckVariable> &deck_variables()
       {"outer_groove", "", "m", "5.0e-5 10", "bearing data", "radius of the outer groove"},
       {"cage_ball_diameter", "", "m", "1.0e-5 0.3", "bearing data", "diameter of a cage ball"},
       {"ball_young", "210e9", "Pa", "1.0e8 1.0e13", "usual data|bearing data",
-       "Young's modulus of balls and rings; the default is that of bearing steel"},
+       "Young's modulus of balls and rings; the default is that of bearing steel", "",
+       "bearing data"},
       {"ball_poisson", "0.3", "", "0 0.5", "usual data|bearing data",
-       "Poisson's ratio of balls and rings; the default is that of bearing steel"},
+       "Poisson's ratio of balls and rings; the default is that of bearing steel", "",
+       "bearing data"},
       {"ball_density", "7800", "kg/m^3", "100 3.0e4", "usual data|bearing data",
-       "density of the balls; the default is that of bearing steel"},
+       "density of the balls; the default is that of bearing steel", "", "bearing data"},
       {"inner_mass", "", "kg", "1.0e-7 1.0e5", "bearing data", "mass of the inner ring"},
       {"inner_inertia", "", "kg m^2", "1.0e-15 1.0e6", "bearing data",
        "inertia of the inner ring about its axis"},
@@ -264,19 +266,22 @@ std::string DeckVariable::label() const
   return *unit ? std::string(name) + " (" + unit + ")" : name;
 }
 
-bool DeckVariable::taken_by(const std::string &command) const
+// Returns true if `list`, whose items are joined by |, contains an item.
+static bool contains(std::string_view list, const std::string &item)
 {
-  for (std::string_view rest = of; !rest.empty();) {
-    const size_t end = rest.find('|');
-    if (rest.substr(0, end) == command) return true;
-    rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
+  while (!list.empty()) {
+    const size_t end = list.find('|');
+    if (list.substr(0, end) == item) return true;
+    list.remove_prefix(end == list.npos ? list.size() : end + 1);
   }
   return false;
 }
 
+bool DeckVariable::taken_by(const std::string &command) const { return contains(of, command); }
+
 bool DeckVariable::needed_by(const std::string &kind) const
 {
-  return !*initial || std::string_view(of).substr(0, kind.size()) != kind;
+  return !*initial || contains(without_default, kind);
 }
 
 bool DeckVariable::of_data() const

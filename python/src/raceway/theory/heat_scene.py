@@ -11,20 +11,19 @@ carries heat away.
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from raceway import inputs
-from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
-from raceway.theory import cage_drag, friction_torque, heat, makers, thrust_motion
+from raceway.theory import cage_drag, contact_friction, heat, makers, running
 from raceway.theory.bearing import INNER, Bearing
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubricant import Fluid, Lubricant
-from raceway.theory.lubrication import Lubrication, lubricate, turning
 from raceway.theory.models import DEFAULT
 from raceway.theory.oil_supply import BATH, Supply
+from raceway.theory.running import Friction, Running
 from raceway.theory.static import STRAIGHT, Equilibrium
 from raceway.theory.thrust_motion import Motion
 
@@ -51,23 +50,11 @@ class CirculatingOil:
     width: float
 
 
-class Rest(NamedTuple):
-    """A bearing in equilibrium with its loads, and the films at its speed."""
-
-    state: Equilibrium
-    orbit: float | Floats  # rad/s, orbital speed of the balls
-    films: Lubrication
-    fluid: Fluid
-    clearance: float  # m
-    surfaces: friction_torque.Surfaces
-    motion: Motion | None  # of the balls under pure thrust
-
-
 @dataclass
 class Scene:
     """A bearing with its oil and load, for which friction is computed from temperature and
     clearance. `spin_law`, `models` and `cage` are as in `operating_point.figures`, `held` is as in
-    `static.equilibrium`, and `size` and `supply` are as in `friction_torque.surfaces`."""
+    `static.equilibrium`, and `size` and `supply` are as in `contact_friction.surfaces`."""
 
     bearing: Bearing
     lubricant: Lubricant
@@ -94,48 +81,33 @@ class Scene:
         """Speed of the inner ring in rad/s."""
         return self.rpm * math.pi / 30
 
-    def rest(self, temperature: float, clearance: float) -> Rest:
+    def rest(self, temperature: float, clearance: float) -> Running:
         """Compute the equilibrium and the films for oil at a temperature in degrees C and for a
         clearance in m."""
         fluid, ring = self.lubricant.at(temperature), self.ring
-        film = None if self.models == "paper" else FilmInGap(fluid, ring)
-        state, orbit = turning(
+        surfaces = contact_friction.surfaces(
+            self.bearing, self.size, fluid, ring, self.models, self.supply
+        )
+        found = running.find(
             self.bearing,
             ring,
             self.load,
             self.axial,
-            held=self.held,
+            oil=inputs.Oil(
+                fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, self.roughness
+            ),
+            fluid=fluid,
+            film=None if self.models == "paper" else FilmInGap(fluid, ring),
+            friction=Friction(surfaces, self.spin_law, self.cage),
             clearance=clearance,
-            ball_density=self.density,
+            density=self.density,
+            near_motion=self.near_motion,
+            held=self.held,
             phase=self.phase,
-            film=film,
             near=self.near,
         )
-        self.near = state
-        oil = inputs.Oil(
-            fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, self.roughness
-        )
-        surfaces = friction_torque.surfaces(
-            self.bearing, self.size, fluid, ring, self.models, self.supply
-        )
-        if film and "z" not in self.held and thrust_motion.applies(self.bearing, state):
-            motion = self.near_motion = thrust_motion.find(
-                self.bearing,
-                state,
-                oil,
-                fluid,
-                film,
-                surfaces,
-                near=self.near_motion,
-                clearance=clearance,
-                density=self.density,
-                spin_law=self.spin_law,
-                cage=self.cage,
-            )
-            moved = motion.state, motion.orbit, motion.films
-            return Rest(*moved, fluid, clearance, surfaces, motion)
-        films = lubricate(self.bearing, state, oil, ring, clearance, film and film.factor)
-        return Rest(state, orbit, films, fluid, clearance, surfaces, None)
+        self.near, self.near_motion = found.rolling, found.motion or self.near_motion
+        return found
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
         """Return the results of the scene at a temperature in degrees C and a clearance in m.
@@ -144,23 +116,10 @@ class Scene:
         `flow` the `heat.OilFlow`."""
         return self.figures(self.rest(temperature, clearance))
 
-    def figures(self, rest: Rest) -> dict[str, Any]:
+    def figures(self, rest: Running) -> dict[str, Any]:
         """Return the same results as `at`, computed from a given `rest`."""
-        state, orbit, films, fluid, ring = *rest[:4], self.ring
-        losses = rest.motion and rest.motion.losses
-        losses = losses or friction_torque.losses(
-            self.bearing,
-            state,
-            films,
-            fluid,
-            ring,
-            orbit,
-            clearance=rest.clearance,
-            surfaces=rest.surfaces,
-            spin_law=self.spin_law,
-            ball_density=self.density,
-            cage=self.cage,
-        )
+        state, films, fluid, ring = rest.state, rest.films, rest.fluid, self.ring
+        losses = rest.losses()
         contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis
         inner = self.bearing.raceways.count(INNER)
         sides = np.array([contacts[:inner].sum(), contacts[inner:].sum()])
@@ -177,7 +136,7 @@ class Scene:
             "cage": self.share * (losses.cage or 0.0),
             "contacts": heat.conductances(state, films),
             "drag": self.share * float(losses.drag.sum()),
-            "flow": self.flow(fluid, float(np.mean(orbit))),
+            "flow": self.flow(fluid, float(np.mean(rest.orbit))),
         }
 
     def flow(self, fluid: Fluid, orbit: float) -> heat.OilFlow:
