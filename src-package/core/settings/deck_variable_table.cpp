@@ -219,7 +219,9 @@ const std::vector<DeckVariable> &deck_variables()
        "torque less",
        "film full eyring file"},
       {"oil_heat_capacity", "1950", "J/(kg K)", "1 1.0e5", "oil constant",
-       "heat capacity; no result depends on it", "-"},
+       "heat capacity, used with oil_flow only; an increase by 20 % then cools the bearing by "
+       "about 1 K",
+       "-"},
       {"eyring_stress", "5.0e6", "Pa", "1.0e4 1.0e9", "oil constant",
        "Eyring stress for models eyring; an increase by 20 % raises the torque by 0.4 to 6 %",
        "eyring file"},
