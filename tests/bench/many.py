@@ -2,7 +2,7 @@
 """Measure the cost of many bearings in one box, on one rank and on two ranks, and write
 build/bench/many.rst.
 
-    .venv/bin/python tests/bench/many.py [rounds]
+    .venv/bin/python tests/bench/many.py [ROUNDS] [--print]     --print: do not write the page
 
 The runs of a round are made one after another, so that a drift in the speed of the machine affects
 all of them; ratios are formed within each round.
