@@ -3,8 +3,6 @@
 
 #include "../core/settings/written.h"
 #include "../deck/find_data.h"
-#include "fix_bearing_ring.h"
-#include "fixes.h"
 #include "pair_bearing.h"
 
 #include <algorithm>
@@ -29,15 +27,6 @@ static std::set<std::string> left_out(Arguments &args, const std::string &names)
     out.insert(name);
   }
   return out;
-}
-
-// Returns true if no ring of the deck tilts or moves along its axis.
-static bool rings_stay_in_plane(LAMMPS *lmp)
-{
-  const auto rings = fixes_of<FixBearingRing>(lmp);
-  return std::none_of(rings.begin(), rings.end(), [](const FixBearingRing *ring) {
-    return ring->moves_axially() || ring->tilts();
-  });
 }
 
 CageSettings named_cage(LAMMPS *lmp, Arguments &args, const NamedBearing &b)
@@ -85,7 +74,6 @@ CageSettings named_cage(LAMMPS *lmp, Arguments &args, const NamedBearing &b)
     of.land.width = given("cage_width");
     of.land.lands = 2;
   }
-  cage.planar = rings_stay_in_plane(lmp);
   const auto *pair = dynamic_cast<const PairBearing *>(lmp->force->pair);
   const auto oil = [&](const char *datum) {
     return pair ? std::atof(pair->oil_datum(b.name, datum).c_str()) : 0.0;
