@@ -266,10 +266,12 @@ void FixBearingRecord::open()
   content.law = pair_->coefficients().law();
   find_heats();
   content.heat = !heats_.empty();
+  if (content.heat) keep_oil();
   content.spheres = pair_->coefficients().any_spheres() || layout_.pockets();
   bearing::add_deck_notes(lmp, *pair_, layout_, within_, notes_);
   about_ = bearing::record_settings(lmp, *pair_, layout_, notes_,
                                     {nevery * update->dt / within_, start_});
+  if (content.heat) keep_commands();
   content.about = about_;
   std::unique_ptr<RecordFile> file(new RecordFile(layout_, content));
   const size_t batch =
@@ -307,6 +309,26 @@ void FixBearingRecord::find_heats()
         any = true;
       }
   if (any) heats_ = found;
+}
+
+// A continued run has an oil at another temperature, but writes the same header.
+void FixBearingRecord::keep_oil()
+{
+  const bool known = !oil_.empty();
+  size_t place = 0;
+  for (bearing::RecordLayout::Bearing &b : layout_.bearings)
+    for (const int k : {bearing::of_kind::VISCOSITY, bearing::of_kind::PRESSURE_VISCOSITY})
+      if (known) b.of[k] = oil_.at(place++);
+      else oil_.push_back(b.of[k]);
+}
+
+void FixBearingRecord::keep_commands()
+{
+  for (NetcdfHeader::Attribute &a : about_) {
+    if (a.name != "pair_commands") continue;
+    if (commands_.empty()) commands_ = a.words;
+    else a.words = commands_;
+  }
 }
 
 // Before the first step, stops with an error if the folder contains a finished run, unless

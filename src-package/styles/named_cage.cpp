@@ -3,8 +3,6 @@
 
 #include "../core/settings/model_words.h"
 #include "../core/settings/written.h"
-#include "fix_bearing_ring.h"
-#include "fixes.h"
 #include "pair_bearing.h"
 
 #include <algorithm>
@@ -21,15 +19,6 @@ static std::set<std::string> parts_left_out(Arguments &args, const std::string &
   } catch (const DataError &wrong) {
     args.fail(std::string("cage_without: ") + wrong.what());
   }
-}
-
-// Returns true if no ring of the deck tilts or moves along its axis.
-static bool rings_stay_in_plane(LAMMPS *lmp)
-{
-  const auto rings = fixes_of<FixBearingRing>(lmp);
-  return std::none_of(rings.begin(), rings.end(), [](const FixBearingRing *ring) {
-    return ring->moves_axially() || ring->tilts();
-  });
 }
 
 CageSettings named_cage(LAMMPS *lmp, Arguments &args, const NamedBearing &b)
@@ -77,7 +66,6 @@ CageSettings named_cage(LAMMPS *lmp, Arguments &args, const NamedBearing &b)
     of.land.width = given("cage_width");
     of.land.lands = 2;
   }
-  cage.planar = rings_stay_in_plane(lmp);
   const auto *pair = dynamic_cast<const PairBearing *>(lmp->force->pair);
   const auto oil = [&](const char *datum) {
     return pair ? std::atof(pair->oil_datum(b.name, datum).c_str()) : 0.0;

@@ -87,7 +87,7 @@ class Scene:
             lambda rest: rest.state.inner.load,
         )
 
-    def rest(self, temperature: float, clearance: float, phase: float = 0.0) -> Rest:
+    def rest(self, temperature: float, clearance: float, phase: float = 0.0) -> Running:
         """Compute the equilibrium and the films for oil at a temperature in degrees C and for a
         clearance in m, with the first ball at the azimuth `phase` in rad."""
         found = self.near[phase] = self._rest(
