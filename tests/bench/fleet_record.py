@@ -2,7 +2,7 @@
 """Measure the cost of recording a single bearing and fleets of bearings, and write
 build/bench/fleet_record.rst.
 
-    .venv/bin/python tests/bench/fleet_record.py [rounds]
+    .venv/bin/python tests/bench/fleet_record.py [ROUNDS] [--print]     --print: write no page
 
 Runs of in.many that record all contacts at several instants of every host step alternate with the
 same runs without output; the page lists the cost ratios. The cost of a run refers to its last 90 %,

@@ -16,7 +16,7 @@ import time
 from pathlib import Path
 
 from deck_runs import MAIN, ROOT, run_deck
-from machine import csv_table, publish
+from machine import csv_table, publish, words_asked
 
 LIMIT = 1000  # MB
 PAGE = """\
@@ -108,8 +108,9 @@ def measure(folder, task, middle):
 
 def main():
     """Simulate, measure, print the results and write the page."""
-    gigabytes = float(sys.argv[1]) if len(sys.argv) > 1 else 2.0
-    folder = Path(sys.argv[2] if len(sys.argv) > 2 else ROOT / "build/run/large").resolve()
+    words = words_asked()
+    gigabytes = float(words[0]) if words else 2.0
+    folder = Path(words[1] if len(words) > 1 else ROOT / "build/run/large").resolve()
     passes = simulate(folder, gigabytes * 1e9)
     size = (folder / "record.nc").stat().st_size / 1e9
     rows = []

@@ -41,9 +41,14 @@ def publish(title, text, name=None, /, **parts):
         bench_file(f"{name or script.stem}.rst").write_text(page)
 
 
+def words_asked():
+    """Return the words on the command line other than --print, which any bench accepts."""
+    return [word for word in sys.argv[1:] if word != "--print"]
+
+
 def count_asked(usual):
     """Return the number on the command line, or `usual` if there is none."""
-    return int(next((word for word in sys.argv[1:] if word != "--print"), usual))
+    return int(next(iter(words_asked()), usual))
 
 
 def spread(values, form=".3g"):

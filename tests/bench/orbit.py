@@ -13,13 +13,12 @@ those of a run that settles for 30 ball passes and of a run that settles until i
 with one measured ball pass. The number of evaluations does not depend on the load of the machine.
 """
 
-import sys
 import tempfile
 from pathlib import Path
 from typing import NamedTuple
 
 from deck_runs import MAIN, cost, run_deck
-from machine import csv_table, publish
+from machine import csv_table, publish, words_asked
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
@@ -138,7 +137,7 @@ def without(name, words, place):
 
 
 def main():
-    chosen = sys.argv[1:]
+    chosen = words_asked()
     rows, marched = [], []
     with tempfile.TemporaryDirectory() as work:
         for name, scene in ORBITS.items():

@@ -14,7 +14,6 @@ no output. A round runs all methods for a scene.
 
 import re
 import statistics
-import sys
 
 import matplotlib
 
@@ -22,7 +21,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from deck_runs import ROOT, attempt, tables  # noqa: E402
-from machine import bench_file, csv_table, publish  # noqa: E402
+from machine import bench_file, csv_table, publish, words_asked  # noqa: E402
 from matplotlib.ticker import NullFormatter  # noqa: E402
 
 FOLDER = "build/bench/precision"
@@ -368,7 +367,7 @@ def page(results):
 
 def main():
     results = {}
-    for speed in map(float, sys.argv[1:] or SPEEDS):
+    for speed in map(float, words_asked() or SPEEDS):
         for ratio, clearance in CLEARANCES.items():
             print(f"{speed:g} rad/s, P_d/D {ratio:g}", flush=True)
             results[speed, ratio] = measure(speed, clearance)

@@ -74,7 +74,7 @@ def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
     assert found["wanted"] == WANTED
     finer = {**REFERENCE, "tolerance": "1e-11", "samples": 500}
     whole = found["scene"]
-    assert whole == {"surroundings": "flooded", **own}
+    assert whole == {"surroundings": "flooded", "cage": "ring", **own}
     succeed("inputs/in.6208", out=tmp_path / "exact", **{**whole, **finer})
     succeed("inputs/in.6208", out=tmp_path / "picked", **{**whole, **found["words"]})
     exact, picked = figures(tmp_path / "exact"), figures(tmp_path / "picked")
@@ -105,7 +105,13 @@ def reference(answered):
     own, _, folder = answered
     for point in folder.glob("*/summary.json"):
         asked = (point.parent / "run.yaml").read_text()
-        words = ("tolerance=1e-10", "samples=400", "without=none", "cage=ring")
+        words = (
+            "tolerance=1e-10",
+            "samples=400",
+            ",without=none",
+            "cage=ring",
+            "cage_without=none",
+        )
         if all(word in asked for word in (*words, "surroundings=flooded")):
             found = json.loads(point.read_text())
             if found["models"] == "full" and found["integrator"] == "implicit":
@@ -199,7 +205,7 @@ def test_sets():
     chosen = {"cage": "no", "surroundings": "none", "load": "5000", "settle": "auto"}
     gone = {one.name for one in known} - {one.name for one in choices(chosen, True)}
     assert gone == {"cage", "surroundings"}
-    assert scene_parts.whole_scene(chosen, True) == chosen
+    assert scene_parts.whole_scene(chosen, True, {"cage": "auto"}) == chosen
 
 
 def test_parts_of_a_cage_ring_are_choices():
@@ -207,14 +213,14 @@ def test_parts_of_a_cage_ring_are_choices():
     cage."""
 
     def parts(**scene):
-        return {one.name for one in choices(scene, True, {"cage": "yes", "cage_guide": "balls"})}
+        deck = {"cage": "yes", "cage_guide": "balls"}
+        scene = scene_parts.whole_scene(scene, True, deck)
+        return {one.name for one in choices(scene, True, deck)}
 
     ring = {"cage chain", "cage friction", "cage shear", "cage film", "cage churning"}
     assert parts(cage="ring") - parts() == ring
     assert parts(cage="ring", cage_guide="outer") - parts() == ring | {"cage land"}
     assert parts(cage="auto") - parts() == ring
-    deck = choices({}, True, deck_variables(ROOT / "inputs/in.6208"))
-    assert {one.name for one in deck} >= ring  # the default of the deck is a ring
     assert parts(cage="auto", pocket_play="1e-4") == parts()  # data of a chain
     picked = [one for one in choices({"cage": "ring"}, True) if one.name in ring - {"cage chain"}]
     left = variables(picked)["cage_without"]
@@ -222,22 +228,32 @@ def test_parts_of_a_cage_ring_are_choices():
     assert "without" not in variables(picked)
 
 
-def test_parts_of_a_ring_are_omitted_only_from_a_ring():
-    """Choices of cage, models and integrator that replace the ring do not go with its parts."""
-    settings = {"cage chain", "cage", "models film", "models paper", "damping", "cage friction"}
-    for scene in ({}, {"cage": "ring"}):
-        known = choices(scene, True, deck_variables(ROOT / "inputs/in.6208"))
-        every = sets([one for one in known if one.name in settings])
-        cages = set()
-        for picked in every:
-            all_of = {"cage": "auto", **scene, **variables(picked)}
-            cage = all_of["cage"]
-            if cage == "auto":
-                cage = core.usual_cage(all_of["models"], all_of["integrator"], "", "")
-            parts = "cage_without" in all_of
-            assert cage == "ring" or not parts, all_of
-            cages.add((cage, parts))
-        assert {("ring", True), ("chain", False), ("no", False)} <= cages
+@pytest.mark.parametrize("cage", ["ring", "chain", "auto"])
+@pytest.mark.parametrize("oil", ["mineral", "dry"])
+def test_each_choice_changes_only_what_it_names(cage, oil):
+    """The deck's cage depends on models and integrator if it is `auto`; choices of those keep the
+    cage of the reference, and parts of a ring are omitted only from a ring."""
+    deck, wet = deck_variables(ROOT / "inputs/in.6208"), oil != "dry"
+    scene = scene_parts.whole_scene({"cage": cage, "lubricant": oil}, wet, deck)
+    known = choices(scene, wet, deck)
+    words = "" if wet else "dry"
+
+    def chosen(picked):
+        every = {**deck, **scene, **variables(picked)}
+        if every["cage"] != "auto":
+            return every["cage"]
+        return core.usual_cage(every["models"], every["integrator"], words, "")
+
+    usual = chosen(())
+    assert usual == cage if cage != "auto" else usual == ("ring" if wet else "chain")
+    for one in known:
+        assert chosen((one,)) == dict(one.settings).get("cage", usual), one.name
+    cages = set()
+    for picked in sets([one for one in known if "tolerance" not in one.group]):
+        parts = "cage_without" in variables(picked)
+        assert chosen(picked) == "ring" or not parts, picked
+        cages.add((chosen(picked), parts))
+    assert (("ring", True) in cages) == (usual == "ring")
 
 
 def test_evaluations_decide_where_times_overlap():

@@ -321,6 +321,22 @@ def test_rolling_couples_go_through_zero_speed_on_a_line(physics):
 
 
 # ---- spin ----------------------------------------------------------------------------------------
+@pytest.mark.parametrize("side", [INNER, OUTER])
+@pytest.mark.parametrize("speed", [0.0724764, -0.724764, 14.4946])
+def test_no_part_of_the_friction_supplies_power(physics, side, speed):
+    """At any slip beside any spin, both slip and spin dissipate power."""
+    sizes = slip_arguments(of(physics, "slip_of", turning(side, speed)), side, abs(speed))
+    edge, free = sliding.edge_slip(*sizes[2:]), sliding.free_slip(*sizes[2:])
+    for spun in (0.0, 0.3, 0.8, 3.0):
+        for along in (-2.0, -0.12, -0.05, -1e-3, 0.0, 1e-3, 0.05, 0.5, 2.0):
+            for across in (0.0, 0.02, 1.0):
+                slid = np.sign(speed) * (free + along * edge)
+                at = dict(sliding_t=slid, sliding_w=across * edge, spin_n=spun * edge / sizes[3])
+                found = of(physics, "dry_of", turning(side, speed, **at))
+                assert found.friction_power >= -1e-12 * FRICTION * found.load * edge, at
+                assert found.couple_n * at["spin_n"] >= 0
+
+
 @pytest.mark.parametrize("cos_angle", [1.0, 0.8])
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_pure_spin(physics, side, cos_angle):

@@ -45,9 +45,11 @@ def write(tmp_path, run, share=0.5):
     return tmp_path / "own.npz", rate
 
 
-def test_a_run_beside_itself(tmp_path, run):
-    """Lines, amplitudes and levels of the run agree with those of its file."""
-    path, rate = write(tmp_path, run)
+@pytest.mark.parametrize("share", [0.5, 0.49283])
+def test_a_run_beside_itself(tmp_path, run, share):
+    """Lines, amplitudes and levels of the run agree with those of its file, whatever the ratio of
+    the rates."""
+    path, rate = write(tmp_path, run, share)
     rpm = run.motion.shaft * 30 / np.pi
     same = recording.Recording(path, run.geometry, rpm=rpm, rate=rate)
     found = compare.compare(run, same, "shift", "inner")

@@ -12,9 +12,11 @@ from commands import answer, drawn, reply
 from host import ROOT
 from raceway import electric_point, film_reading, film_voltage, operating_point
 from raceway.cli import main
+from raceway.theory import asperity
 from raceway.theory.bearing import DoubleRow
 from raceway.theory.capacitors import Filling
 from raceway.theory.electric_point import Ask
+from raceway.theory.static import STRAIGHT
 from raceway.theory.validity import Shoulders
 
 pytestmark = pytest.mark.usefixtures("in_the_tree")
@@ -34,7 +36,7 @@ GROOVES = [{}, {"four_point": math.radians(35)}, {"double_row": DoubleRow(20e-3,
 
 @pytest.mark.parametrize("grooves", GROOVES)
 def test_parts_add_up(grooves):
-    point = electric_point.solve("6208", "vg46", load=3000.0, rpm=1500.0, **grooves)
+    point = electric_point.solve("6208", "vg46", load=3000.0, rpm=1500.0, phase=0.1, **grooves)
     found = electric_point.figures(point)
     parts = ("capacitance_F", "capacitance_surroundings_F", "capacitance_unloaded_F")
     assert sum(found[part] for part in parts) == pytest.approx(found["capacitance_total_F"])
@@ -51,7 +53,7 @@ def test_parts_add_up(grooves):
 @pytest.mark.parametrize("models", ["paper", "full"])
 def test_plates_are_those_of_statics(models, grooves):
     same = dict(load=1000.0, rpm=3000.0, clearance=10e-6, temperature=60.0, models=models)
-    same |= grooves
+    same |= grooves | dict(phase=0.2)
     found = electric_point.figures(electric_point.solve("6306", "vg68", **same))
     statics = operating_point.figures("6306", "vg68", **same)
     for key in ("capacitance_F", "h_c_m", "lambda"):
@@ -62,7 +64,7 @@ def test_two_rows_are_two_bearings_that_share_the_load():
     deep = dict(rpm=1500.0, models="paper")
     one = electric_point.solve("6208", "vg46", load=1500.0, **deep)
     two = electric_point.solve("6208", "vg46", load=3000.0, double_row=DoubleRow(20e-3), **deep)
-    assert two.capacitors().total == pytest.approx(2 * one.capacitors().total, rel=1e-6)
+    assert two.total() == pytest.approx(2 * one.total(), rel=1e-6)
 
 
 def test_shoulders_are_the_file_s_unless_given(point):
@@ -104,6 +106,19 @@ def test_warnings():
     assert electric_point.figures(light)["warnings"] == []
 
 
+def test_metallic_where_friction_is_mixed():
+    """A contact is metallic if the asperities that cause its friction in statics carry more than
+    0.01 of its load."""
+    seen = set()
+    for rpm in np.geomspace(100.0, 3000.0, 12):
+        point = electric_point.solve("6208", "vg46", load=3000.0, rpm=rpm)
+        top = max(electric_point.figures(point)["balls"], key=lambda ball: ball["q_inner_N"])
+        mixed = operating_point.figures("6208", "vg46", load=3000.0, rpm=rpm, held=STRAIGHT)
+        assert top["metallic_inner"] == (mixed["asperity_share"] > asperity.CONDUCTS)
+        seen.add(top["metallic_inner"])
+    assert seen == {False, True}
+
+
 def test_impedance_and_leak(point):
     """At a high frequency, the impedance is capacitive; at a low frequency, it equals the leakage
     resistance."""
@@ -126,7 +141,7 @@ def test_measured_capacitance_gives_the_film_back(point):
     """The capacitance that the model gives for a film thickness is converted back to that
     thickness. If only the plates are considered, the resulting film is too thin."""
     for scale in (0.3, 1.0, 2.5):
-        measured = point.capacitors(scale).total
+        measured = point.total(scale)
         found = electric_point.figures(point, Ask(measured=measured))
         assert found["measured_h_c_m"] == pytest.approx(scale * found["h_c_m"], rel=1e-9)
         assert found["measured_plates_m"] < found["measured_h_c_m"]

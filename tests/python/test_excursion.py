@@ -58,6 +58,19 @@ def test_a_turned_moment_turns_the_excursion():
     assert one.force == pytest.approx(other.force, rel=1e-3)
 
 
+def test_a_shaft_that_turns_backwards_mirrors_the_excursion():
+    body = inputs.bearing(catalogue.find("bearings", "7208"))
+    options = dict(held={}, ball_density=7800.0)
+    one, other = (
+        excursion.excursion(
+            body, turning(body, SPEED, 200.0, 600.0, moment=(x, 3.5), **options)[0], speed
+        )
+        for x, speed in ((-2.9, SPEED), (2.9, -SPEED))
+    )
+    assert one.ahead / -one.behind > 1.05 or one.ahead / -one.behind < 0.95
+    assert (one.ahead, one.behind) == pytest.approx((other.ahead, other.behind), rel=1e-6)
+
+
 def test_balls_that_are_held_back_press_with_their_traction():
     """The force on the cage is at most the Coulomb friction on both raceways, and smaller if the
     pocket play is almost as large as the excursion."""

@@ -12,6 +12,7 @@ from raceway import contact_friction, film, heat, heat_scene, hertz, inputs, ste
 from raceway.core import laws
 from raceway.errors import NoEquilibrium
 from raceway.theory.bearing import INNER, DoubleRow
+from raceway.theory.cage_drag import CageRing
 
 pytestmark = pytest.mark.usefixtures("in_the_tree")
 
@@ -87,6 +88,15 @@ def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio, monkeypatch)
 def test_no_steady_state():
     with pytest.raises(NoEquilibrium, match="no steady temperature: power loss"):
         heat_scene.one_node(scene(rpm=9549.0), 0.05, 20.0, 0.0)
+
+
+@pytest.mark.parametrize("spin_law", ["closed", "slices"])
+@pytest.mark.parametrize("axial", [100.0, 300.0, 2000.0])
+def test_every_loss_under_thrust_is_a_loss(axial, spin_law):
+    """Also that of balls whose spin far exceeds their differential slip, and which drive a cage."""
+    point = dict(axial=axial, rpm=3000.0, spin_law=spin_law, cage=CageRing())
+    found = steady_heat.figures("7206B", "vg46", ROOT / "inputs", **point)
+    assert min(found["losses_W"].values()) > 0
 
 
 @pytest.mark.parametrize("command", ["heat", "electric", "static"])

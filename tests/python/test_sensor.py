@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The sampling rates and the filter of a sensor are tested with signals of known response."""
 
+import math
+
 import numpy as np
 import pytest
 import raceway
@@ -11,19 +13,20 @@ RATE = 192e3
 TIME = np.arange(38400) / RATE
 
 
-@pytest.mark.parametrize("rate", [12e3, 25.6e3, 48e3, 96e3])
+@pytest.mark.parametrize("rate", [11999.3, 12e3, 25.6e3, 47999.37, 48e3, 96e3, 96001.7, 191e3])
 def test_passes_what_the_rate_holds(rate):
     """Amplitude and phase are preserved to 1e-4, and components that would alias are attenuated by
     80 dB."""
     inside = slice(60, -60)
     for share in (0.02, 0.2, 0.4):
         kept = sensor.decimated(np.sin(2 * np.pi * share * rate * TIME), 1 / RATE, rate)
-        assert len(kept) == round(len(TIME) * rate / RATE)
+        assert len(kept) == math.ceil(len(TIME) * rate / RATE)
         want = np.sin(2 * np.pi * share * np.arange(len(kept)))
         assert np.abs(kept - want)[inside].max() < 2e-4
     for share in (0.51, 0.6, 0.95):
-        gone = sensor.decimated(np.sin(2 * np.pi * share * rate * TIME), 1 / RATE, rate)
-        assert np.abs(gone)[inside].max() < 2e-4
+        if share * rate < RATE / 2:
+            gone = sensor.decimated(np.sin(2 * np.pi * share * rate * TIME), 1 / RATE, rate)
+            assert np.abs(gone)[inside].max() < 2e-4
 
 
 def test_leaves_a_mean_alone():
@@ -37,8 +40,10 @@ def test_leaves_a_mean_alone():
     [
         (2e5, "rate 200000 Hz must lie between 0 and 192000 Hz"),
         (0, "must lie between 0"),
-        (47999.37, "is not a simple ratio to 192000 Hz"),
-        (10, "is not a simple ratio"),
+        (
+            100,
+            "rate 100 Hz leaves 20 values of 0.2 s, fewer than the 50 at which the filter starts",
+        ),
     ],
 )
 def test_rates_that_it_refuses(rate, says):

@@ -12,8 +12,8 @@ import pytest
 import xarray
 from host import ROOT, succeed
 from raceway.theory import validity
+from raceway.theory.ball_pass import places
 from raceway.theory.cage_drag import CageRing
-from raceway.theory.kinematics import places
 from raceway.theory.operating_point import figures
 
 BEARING = """variable balls index {balls}
@@ -65,7 +65,7 @@ def data_file(folder, angle, balls):
 
 
 def statics(path, balls, load, axial, moment, rpm, temperature, cage):
-    """Return the results of statics at all `places` of the balls."""
+    """Return the results of statics at four `places` of the balls."""
     return [
         figures(
             str(path),
@@ -81,7 +81,7 @@ def statics(path, balls, load, axial, moment, rpm, temperature, cage):
             exact_circle=True,
             cage=cage,
         )
-        for phase in places(balls)
+        for phase in places(balls, 4)
     ]
 
 

@@ -3,9 +3,8 @@
 // and values of variables, and chooses the usual cage.
 #include "../settings/deck_variable_table.h"
 #include "../settings/usual_cage.h"
+#include "../settings/written.h"
 #include "json_text.h"
-
-#include <sstream>
 
 static std::string variables_text()
 {
@@ -33,10 +32,8 @@ extern "C" const char *variables_json()
 extern "C" const char *mistyped_name(const char *names)
 {
   static thread_local std::string message;
-  std::istringstream words(names);
-  std::set<std::string> all;
-  for (std::string one; words >> one;) all.insert(one);
-  message = bearing::mistyped(all);
+  const std::vector<std::string> all = bearing::words_of(names);
+  message = bearing::mistyped({all.begin(), all.end()});
   return message.c_str();
 }
 

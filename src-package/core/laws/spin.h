@@ -5,8 +5,9 @@
 // If the contact also slides, the couple at small spin is proportional to the spin. Integration
 // over the ellipse by Gauss points (tests/references/spin.py) gives the width of this range: omega
 // a = 0.78 s_e with differential slip, omega a = 1.9 s with gross sliding. Conversely, spin reduces
-// the couple of differential slip by the factor 1 - 1.35 (omega a/s_e)^2. Moment and power agree
-// with the integration within 5 % of mu Q a and mu Q s_e.
+// the couple of differential slip by the factor 1 - 1.35 (omega a/s_e)^2, except for the part that
+// balances the power of the force at the slip of free rolling, without which the contact would
+// supply power. Moment and power agree with the integration within 5 % of mu Q a and mu Q s_e.
 #pragma once
 
 #include "../numbers/lane.h"

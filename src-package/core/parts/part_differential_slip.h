@@ -45,6 +45,7 @@ struct DifferentialSlipPart : PartBase {
     const B turn = held(c.roll_w), forward = where(turn < 0.0, B() - 1.0, B() + 1.0);
     const B edge = magnitude(turn) * curve, width = where(edge > own.least, edge, own.least);
     c.slip_width = width;
+    c.slip_curve = curve;
     const T along = c.sliding_t - turn * curve * free_part;
     const B off_t = held(along) * forward / width, off_w = held(c.sliding_w) / width;
 

@@ -45,7 +45,11 @@ struct SpinPart : PartBase {
     const B couple = spin_couple(limit, own.modulus, root, k.a, k.b, k.K,
                                  B(p.rolling_radius(c.cos_angle)), p.transverse_radius());
     c.couple_n = B(couple * a / spin_growth(speed, width, slide)) * c.spin_n;
-    const B taken = c.slip_couple * (1.0 - slip_beside_spin(B(own.share * speed), width));
+    // Spin leaves the force and its zero at the slip of free rolling as they are, and with them the
+    // couple that balances the power of the force at that slip
+    const B kept = -free_part * c.slip_curve * held(c.friction_t);
+    const B share = slip_beside_spin(B(own.share * speed), width);
+    const B taken = (c.slip_couple - kept) * (1.0 - share);
     c.slip_couple = c.slip_couple - taken;
     c.couple_w += B(-taken);
   }

@@ -56,6 +56,7 @@ template <class T> struct alignas(sizeof(T)) ContactFiguresT {
   T kt = T();                     // N/m, tangential spring
   T v_0 = T();                    // m/s, creep speed of the smoothed Coulomb law
   T slip_width = T();             // m/s, width s_e of the differential slip
+  T slip_curve = T();             // m, a^2/(2 R_d)
   T asperity_share = T();         // fraction of the load carried by asperities
   // contributions to couple_w, N m
   T slip_couple = T(), rolling_couple = T(), hysteresis_couple = T();

@@ -268,7 +268,7 @@ def _ask(arguments):
     )
 
 
-def _solve(arguments, values, phase=0.0):
+def _solve(arguments, values, phase=None):
     from raceway.theory import electric_point
 
     try:

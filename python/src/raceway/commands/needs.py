@@ -75,7 +75,7 @@ def run(arguments: argparse.Namespace) -> None:
     if missing := sorted(set(scene_parts.REFERENCE) - set(known)):
         raise RacewayError(f"{arguments.deck} has no variable {', '.join(missing)}")
     wet = scene_parts.lubricated(given, known.get("lubricant", ""))
-    scene = scene_parts.whole_scene(given, wet)
+    scene = scene_parts.whole_scene(given, wet, known)
     available = _without(scene_parts.choices(scene, wet, known), arguments.keep)
     runs = command(arguments)
     out = files.folder(arguments.out)

@@ -10,8 +10,7 @@ from raceway.arrays import Floats
 from raceway.files import FilePath
 from raceway.pictures.electric_page import LEFT, RIGHT, head
 from raceway.pictures.style import PALETTE, drawing
-from raceway.theory import impedance
-from raceway.theory.electric_point import Point
+from raceway.theory.electric_point import Point, of_pass
 
 
 def frequencies(resistivity: float, count: int = 400) -> Floats:
@@ -25,19 +24,21 @@ def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FileP
     """Plot magnitude and phase of the impedance against frequency, for the bearing and for its
     plates alone, in an oil with `resistivity` (ohm m). Write the plot to the PNG file `path`.
     Raises `RunError` if the file cannot be written."""
-    found = point.capacitors()
-    loaded = found.inner.load > 0
-    bare = type(found)(*(_plates(side, loaded) for side in (found.inner, found.outer)))
+    every = point.every()
+    bare = [
+        type(one)(*(_plates(side, one.inner.load > 0) for side in (one.inner, one.outer)))
+        for one in every
+    ]
     frequency = frequencies(resistivity)
     with drawing(path, figsize=(10, 7.6), dpi=110) as figure:
         (top, bottom) = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1))
         figure.subplots_adjust(left=LEFT + 0.02, right=RIGHT, bottom=0.09, top=0.85, hspace=0.1)
         head(figure, names, "Impedance of the bearing")
-        for one, text, colour, dashes in (
-            (found, "all of the capacitance", PALETTE[0], "-"),
+        for found, text, colour, dashes in (
+            (every, "all of the capacitance", PALETTE[0], "-"),
             (bare, "plates alone", PALETTE[1], (0, (4, 2))),
         ):
-            z = impedance.of_bearing(one, frequency, resistivity)
+            z = of_pass(point, found, frequency, resistivity)
             top.loglog(frequency, np.abs(z), color=colour, ls=dashes, lw=2.2, label=text)
             bottom.semilogx(frequency, np.degrees(np.angle(z)), color=colour, ls=dashes, lw=2.2)
         top.set_ylabel("|Z| (Ω)")

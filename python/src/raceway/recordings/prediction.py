@@ -3,7 +3,6 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -12,9 +11,8 @@ from raceway import inputs
 from raceway.arrays import Floats
 from raceway.recordings.readings import Point, Reading, Readings
 from raceway.theory import cage_speed
-from raceway.theory.heat_scene import Scene
-from raceway.theory.kinematics import places
-from raceway.theory.static import STRAIGHT, Equilibrium
+from raceway.theory.heat_scene import Rest, Scene
+from raceway.theory.static import STRAIGHT
 
 NO_LAG = 0.0, 0.0
 
@@ -37,7 +35,7 @@ class Model:
         path, oil = readings.bearing, readings.lubricant
         self.bearing = inputs.bearing(path, one_groove="lines need one groove per ring")
         self._density, self._size = inputs.ball_density(path), inputs.size(path)
-        self._near: dict[Point, Equilibrium | None] = {}  # equilibria of the last state
+        self._near: dict[Point, dict[float, Rest]] = {}  # results for the last state
         self._lubricant, self._roughness = inputs.lubricant(oil), inputs.oil(oil).roughness
 
     def predict(
@@ -66,40 +64,34 @@ class Model:
         key = point._replace(at=oil)
         if key not in solved:
             scene = self._scene(point, state)
-            scene.near = self._near.get(point)
-            solved[key] = scene, scene.rest(oil, state["clearance"])
-            self._near[point] = scene.near
-        scene, rest = solved[key]
-        idle, angle = int((rest.state.inner.load <= 0).sum()), _contact_angle(rest.state)
+            scene.near = self._near.setdefault(point, {})
+            solved[key] = scene, scene.over_pass(oil, state["clearance"])
+        scene, over = solved[key]
+        shares, rests = zip(*over)
+
+        def mean(of):
+            return np.average([of(rest) for rest in rests], axis=0, weights=shares)
+
+        idle = max(int((rest.state.inner.load <= 0).sum()) for rest in rests)
+        angle = float(mean(lambda rest: _contact_angle(rest.state)))
         if reading.quantity == "temperature":
-            lost = scene.figures(rest)["power_loss_W"]
+            lost = scene.figures(over)["power_loss_W"]
             steady = self.readings.ambient + lost / state["conductance"]
             return Predicted(steady, 0.0, NO_LAG, idle, angle)
         if reading.quantity == "capacitance":
-            return Predicted(self._capacitance(scene, rest, oil), 0.0, NO_LAG, idle, angle)
-        of = self.bearing, rest.state, self.readings.models
-        if reading.quantity == "BSF":
-            spin = cage_speed.ball_order(*of)
-            return Predicted(spin, cage_speed.ERROR * spin, NO_LAG, idle, angle)
-        cage = cage_speed.order(*of)
-        plays = self.readings.models != "paper"
-        lag = cage_speed.lags(self.bearing, rest.state) if plays else NO_LAG
-        return self._line(reading.quantity, cage, angle, lag, idle)
+            whole = float(mean(lambda rest: rest.films.total))
+            return Predicted(whole, 0.0, NO_LAG, idle, angle)
 
-    def _capacitance(self, scene, rest, oil):
-        """Return the mean over a ball pass in F, because the capacitance ripples as balls enter and
-        leave the load zone of a radial load."""
-        if scene.load == 0:
-            return rest.films.total
-        phases = places(self.bearing.balls)
-        # the second half of the ball pass mirrors the first at the load line
-        _, *others, middle = phases[: len(phases) // 2 + 1].tolist()
-        weights = {0.0: 1, **dict.fromkeys(others, 2), middle: 1}
-        found = [rest.films.total]
-        for phase in (*others, middle):
-            placed = replace(scene, phase=phase)
-            found.append(placed.rest(oil, rest.clearance).films.total)
-        return float(np.average(found, weights=list(weights.values())))
+        def of_cage(of):
+            return float(mean(lambda rest: of(self.bearing, rest.state, self.readings.models)))
+
+        if reading.quantity == "BSF":
+            spin = of_cage(cage_speed.ball_order)
+            return Predicted(spin, cage_speed.ERROR * spin, NO_LAG, idle, angle)
+        lag = NO_LAG
+        if self.readings.models != "paper":
+            lag = tuple(mean(lambda rest: cage_speed.lags(self.bearing, rest.state)).tolist())
+        return self._line(reading.quantity, of_cage(cage_speed.order), angle, lag, idle)
 
     def _line(self, name, cage, angle, lag, idle):
         balls = self.bearing.balls

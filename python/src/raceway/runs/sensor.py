@@ -5,13 +5,14 @@ A record from the integrator `vibration` has several samples for each sample of 
 removes the frequencies above half of the lower rate before samples are dropped. Noise is optional.
 """
 
+import math
 from collections.abc import Sequence
-from fractions import Fraction
 
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 from scipy import signal
+from scipy.interpolate import CubicSpline
 
 from raceway.arrays import Floats
 from raceway.errors import RunError
@@ -19,16 +20,19 @@ from raceway.runs.run import Run
 
 PASSED = 0.4  # pass band relative to the new rate; its ripple is STOPPED dB below the signal
 STOPPED = 80.0  # dB, attenuation above half the new rate
-LARGEST = 1000  # largest integer in the ratio of the two rates
+# values per new sample, at least, between which a cubic spline interpolates with an error of 1e-5
+DENSE = 8
+ENDS = 25  # values at either end that the filter affects
 
 
 def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
     """Resample evenly sampled `values` (N,), which are `sample_s` apart, at `rate` in Hz.
 
-    Return an array (M,) with the same unit and the same start. A Kaiser-windowed FIR filter without
-    delay is applied first. It is flat up to 0.4 times the rate and 80 dB down above half of the
-    rate; its end effects extend over about 25 values at either end. Raise `ValueError` if the rate
-    is above that of the values, or if the ratio of the rates is not a ratio of integers below 1000.
+    Return an array (M,) with the same unit and the same start. The two rates need not be
+    commensurable: a Kaiser-windowed FIR filter without delay is evaluated at `DENSE` or more values
+    per new sample, between which a spline interpolates. The filter is flat up to 0.4 times the rate
+    and 80 dB down above half of the rate; its end effects extend over about 25 values at either
+    end. Raise `ValueError` if the rate is above that of the values or leaves nothing but ends.
 
     >>> time = np.arange(19200) / 192e3
     >>> kept = decimated(np.sin(2 * np.pi * 5e3 * time), 1 / 192e3, 48e3)
@@ -40,22 +44,27 @@ def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
     True
     """
     values = np.asarray(values, float)
-    share = Fraction(rate * sample_s).limit_denominator(LARGEST)
-    if not 0 < rate * sample_s <= 1 + 1e-9:
+    share = rate * sample_s
+    if not 0 < share <= 1 + 1e-9:
         raise ValueError(f"rate {rate:g} Hz must lie between 0 and {1 / sample_s:g} Hz")
-    if not share or abs(float(share) / (rate * sample_s) - 1) > 1e-9:
-        raise ValueError(f"rate {rate:g} Hz is not a simple ratio to {1 / sample_s:.10g} Hz")
-    if share == 1:
+    if share > 1 - 1e-9:
         return values.copy()
-    up, down = share.numerator, share.denominator
-    # Half of the new rate divided by half of the filter's rate, which is `up` times the rate of the
-    # values.
-    edge = 1 / down
+    count = math.ceil(len(values) * share * (1 - 1e-12))
+    if count < 2 * ENDS:
+        raise ValueError(
+            f"rate {rate:g} Hz leaves {count} values of {len(values) * sample_s:g} s, fewer than"
+            f" the {2 * ENDS} at which the filter starts and ends"
+        )
+    up, down = math.ceil(DENSE * share), max(1, math.floor(1 / (DENSE * share)))
+    # half of the new rate divided by half of the filter's rate, which is `up` times the rate of
+    # the values
+    edge = share / up
     taps, beta = signal.kaiserord(STOPPED, edge * (1 - 2 * PASSED))
-    middle = edge * (0.5 + PASSED)
-    window = signal.firwin(taps | 1, middle, window=("kaiser", beta))
+    window = signal.firwin(taps | 1, edge * (0.5 + PASSED), window=("kaiser", beta))
     mean = values.mean()  # subtracted to avoid a step at the ends
-    return signal.resample_poly(values - mean, up, down, window=window) + mean
+    dense = signal.resample_poly(values - mean, up, down, window=window)
+    between = CubicSpline(np.arange(len(dense)), dense)
+    return between(np.arange(count) * (up / (down * share))) + mean
 
 
 def of_run(

@@ -2,9 +2,9 @@
 """Results of statics at the operating point of a run, for comparison with the results of the run.
 
 Statics is solved for the loads, speed, clearance, oil, temperature and models of the run. The
-results are means, or largest values, over `places` ball positions within a ball pass. For a deck
-that does not record its variables, the inner ring is held at the measured axial displacement and
-tilts.
+results are means, or largest values, over positions of the balls within a ball pass (`ball_pass`).
+For a deck that does not record its variables, the inner ring is held at the measured axial
+displacement and tilts.
 """
 
 import math
@@ -22,10 +22,9 @@ from raceway.runs.settings import deck_words
 from raceway.runs.tables import RunTables
 from raceway.runs.turning import changes
 from raceway.runs.warming import heated
-from raceway.theory import models
+from raceway.theory import ball_pass, models
 from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.cage_drag import CageRing
-from raceway.theory.kinematics import places
 
 # keys of the results, grouped by how they follow from the values at all positions
 MEANS = ("shift_z_m", "load_parameter", "capacitance_F", "friction_torque_N_m", "power_loss_W")
@@ -67,15 +66,18 @@ def _figures(tables, run):
     from raceway.theory.operating_point import figures
 
     words, seat = _point(tables, run)
-    found = [
-        figures(**words, phase=phase, exact_circle=True)
-        for phase in places(int(tables.settings["balls"])).tolist()
-    ]
+    over = ball_pass.over(
+        lambda phase: figures(**words, phase=phase, exact_circle=True),
+        int(tables.settings["balls"]),
+        _inner_loads,
+        symmetric=not (words["held"].get("rx") or np.any(words.get("moment", 0.0))),
+    )
+    shares, found = zip(*over)
     _same_oil(found[0], tables)
     for one in found:
         one["power_loss_W"] = sum(one["losses_W"].values()) if one["losses_W"] else None
-    result = {key: _mean(found, key) for key in MEANS}
-    result |= {key: _mean(found, name) for key, name in RENAMED.items()}
+    result = {key: _mean(shares, found, key) for key in MEANS}
+    result |= {key: _mean(shares, found, name) for key, name in RENAMED.items()}
     if result["cage_speed_rad_s"] is not None:  # statics is solved for the magnitude of the speed
         forwards = tables.turning.shaft_speed(tables.first, tables.last).mean() >= 0
         result["cage_speed_rad_s"] *= 1 if forwards else -1
@@ -86,21 +88,33 @@ def _figures(tables, run):
         result["shift_z_m"] = None
     else:
         result["shift_z_m"] -= seat
-        result |= dict(zip(PLACE[1:], _turned(found, tables)))
+        result |= dict(zip(PLACE[1:], _turned(shares, found, tables)))
     left_out = models.absent(run["models"], FRICTION)
     return {k: value for k, value in result.items() if value is not None and k not in left_out}
 
 
-def _mean(found, key):
+def _inner_loads(found):
+    """Return the loads (Z,) or (grooves, Z) of the inner contacts of all balls in N."""
+    return np.transpose(
+        [
+            [one["q_N"] for one in ball["contacts"] if one["raceway"].startswith("inner")]
+            if "contacts" in ball
+            else [ball["q_inner_N"]]
+            for ball in found["balls"]
+        ]
+    )
+
+
+def _mean(shares, found, key):
     values = [one.get(key) for one in found]
-    return None if None in values else float(np.mean(values))
+    return None if None in values else float(np.average(values, weights=shares))
 
 
-def _turned(found, tables):
+def _turned(shares, found, tables):
     """Return the mean tilts in rad about the axes of the run, converted from the tilts of statics
     about the axes of the load line."""
     azimuth = tables.settings["load_azimuth_rad"]
-    x, y = (_mean(found, key) for key in ("tilt_x_rad", "tilt_y_rad"))
+    x, y = (_mean(shares, found, key) for key in ("tilt_x_rad", "tilt_y_rad"))
     return (
         x * math.cos(azimuth) - y * math.sin(azimuth),
         x * math.sin(azimuth) + y * math.cos(azimuth),

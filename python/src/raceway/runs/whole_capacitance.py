@@ -244,7 +244,7 @@ def _states(run, whole):
         share = contacts["asperity_share"]
     else:
         ratio = contacts["lambda"].fillna(np.inf)
-        share = ratio.copy(data=asperity.zhou_hoeprich(ratio.to_numpy()))
+        share = ratio.copy(data=asperity.clarke(ratio.to_numpy()))
     share = share.where(contacts["load"] > 0, 0.0).rename("load")
     if contacts.sizes["raceway"] > len(SIDES):
         share = _by_ring(share)

@@ -35,7 +35,6 @@ class Choice(NamedTuple):
     without: tuple[tuple[str, str], ...]  # (variable in `JOINED`, part listed in it)
     settings: tuple[tuple[str, str], ...]  # (variable, value)
     parts: tuple[str, ...] | None  # parts that these models have; None: as in the reference
-    ring: bool = True  # False if the scene then has no cage ring
 
 
 def figures(summary: Mapping[str, Any]) -> dict[str, float]:
@@ -47,9 +46,21 @@ def figures(summary: Mapping[str, Any]) -> dict[str, float]:
     return {word: value for word, value in found.items() if value is not None}
 
 
-def whole_scene(given: Mapping[str, str], lubricated: bool) -> dict[str, str]:
-    """Return the deck's variables of a scene: the `given` values, and assumed values for others."""
-    return {**(_DATA["assumed"] if lubricated else {}), **given}
+def whole_scene(
+    given: Mapping[str, str], lubricated: bool, defaults: Mapping[str, str]
+) -> dict[str, str]:
+    """Return the deck's variables of a scene: the `given` values, and assumed values for others.
+
+    `defaults` are the deck's own values. A cage that the deck would choose by models and integrator
+    is the one that it chooses for the reference, so that choices of those leave the cage as it is.
+    """
+    scene = {**(_DATA["assumed"] if lubricated else {}), **given}
+    values = {**defaults, **scene, **REFERENCE}
+    if values.get("cage") == "auto":
+        balls = values.get("cage_ball_diameter") or values.get("pocket_play") or ""
+        oil = "" if lubricated else "dry"
+        scene["cage"] = core.usual_cage(values["models"], values["integrator"], oil, balls)
+    return scene
 
 
 def choices(
@@ -57,8 +68,8 @@ def choices(
 ) -> list[Choice]:
     """Return the choices for contacts with a film or for dry contacts.
 
-    Choices that the deck's variables `scene` already make and choices for parts that the scene
-    lacks are excluded; `defaults` are the deck's own values.
+    Choices that the deck's variables `scene` (`whole_scene`) already make and choices for parts
+    that the scene lacks are excluded; `defaults` are the deck's own values.
     """
     return [
         choice
@@ -67,18 +78,7 @@ def choices(
     ]
 
 
-def _cage(values, lubricated):
-    """Return the kind of cage that the deck chooses for these variables."""
-    if (cage := values.get("cage")) != "auto":
-        return cage
-    balls = values.get("cage_ball_diameter") or values.get("pocket_play") or ""
-    oil = "" if lubricated else "dry"
-    return core.usual_cage(values["models"], values["integrator"], oil, balls)
-
-
 def _all_choices(lubricated, values):
-    own = {**values, **REFERENCE}
-    values = {**values, "cage": _cage(own, lubricated)}
     return [
         Choice(
             row["name"],
@@ -87,7 +87,6 @@ def _all_choices(lubricated, values):
             tuple((name, row[name]) for name in JOINED if name in row),
             tuple((name, str(value)) for name, value in row.get("set", {}).items()),
             tuple(row["parts"]) if "parts" in row else None,
-            _cage({**own, **row.get("set", {})}, lubricated) == "ring",
         )
         for row in _DATA["choices"]
         if (lubricated or "only" not in row)
@@ -133,7 +132,7 @@ def sets(available: Sequence[Choice]) -> list[tuple[Choice, ...]]:
         models = next((choice for choice in picked if choice.parts is not None), None)
         out = [part for choice in picked for name, part in choice.without if name == "without"]
         of_ring = any(name == "cage_without" for choice in picked for name, _ in choice.without)
-        if of_ring and not all(choice.ring for choice in picked):
+        if of_ring and any(name == "cage" for choice in picked for name, _ in choice.settings):
             continue
         if models is None or set(out) <= set(models.parts):
             result.append(picked)

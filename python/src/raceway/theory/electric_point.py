@@ -7,6 +7,7 @@ same keys.
 """
 
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,8 +15,8 @@ import numpy as np
 from raceway import catalogue, inputs
 from raceway.arrays import Floats, plain, short
 from raceway.files import FilePath
-from raceway.theory import capacitors, film_voltage, impedance, lubrication
-from raceway.theory.asperity import zhou_hoeprich
+from raceway.theory import ball_pass, capacitors, film_voltage, impedance, lubrication
+from raceway.theory.asperity import clarke
 from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.capacitors import FLOODED, BearingCapacitors, Filling
 from raceway.theory.contact_law import FilmInGap
@@ -25,16 +26,26 @@ from raceway.theory.static import STRAIGHT, Equilibrium
 from raceway.theory.validity import of_statics
 
 
+class Place(NamedTuple):
+    """Equilibrium with the balls at one position."""
+
+    share: float  # of the ball pass that it represents
+    state: Equilibrium
+    films: Lubrication
+    quiet: float | Floats  # Q_u, N; one value per ball if there are several rows
+
+    __repr__ = short
+
+
 class Point(NamedTuple):
-    """A rotating bearing in equilibrium with its loads."""
+    """A rotating bearing in equilibrium with its loads, at positions of the balls that represent a
+    ball pass, or at a single one."""
 
     names: dict[str, Any]  # entries of the result of `figures` that identify the point
     bearing: Bearing
     oil: inputs.Oil
-    state: Equilibrium
-    films: Lubrication
+    places: tuple[Place, ...]
     speed: float  # rad/s
-    quiet: float | Floats  # Q_u, N; one value per ball if there are several rows
     clearance: float  # m
     film: FilmInGap | None
     filling: Filling
@@ -42,20 +53,47 @@ class Point(NamedTuple):
 
     __repr__ = short
 
-    def capacitors(self, scale: float = 1.0) -> BearingCapacitors:
-        """Return the `BearingCapacitors`, with the thickness of every film multiplied by
-        `scale`."""
+    @property
+    def state(self) -> Equilibrium:
+        """Equilibrium at the first position, or at the only one."""
+        return self.places[0].state
+
+    @property
+    def films(self) -> Lubrication:
+        """Films at that position."""
+        return self.places[0].films
+
+    def capacitors(self, scale: float = 1.0, place: int = 0) -> BearingCapacitors:
+        """Return the `BearingCapacitors` at the position with the number `place`, with the
+        thickness of every film multiplied by `scale`."""
         return capacitors.of_statics(
             self.bearing,
-            self.state,
+            self.places[place].state,
             self.oil,
             self.speed,
-            self.quiet,
+            self.places[place].quiet,
             filling=self.filling,
             clearance=self.clearance,
             factor=self.film and self.film.factor,
             scale=scale,
         )
+
+    def every(self, scale: float = 1.0) -> list[BearingCapacitors]:
+        """Return the `capacitors` at all positions."""
+        return [self.capacitors(scale, place) for place in range(len(self.places))]
+
+    def mean(self, values: Sequence[Any]) -> Any:
+        """Return the mean over the ball pass of numbers or arrays, one for each position."""
+        return np.average(values, axis=0, weights=[place.share for place in self.places])
+
+    def total(self, scale: float = 1.0) -> float:
+        """Return the capacitance in F, as a mean over the positions."""
+        return float(self.mean([one.total for one in self.every(scale)]))
+
+    @property
+    def heaviest(self) -> int:
+        """Number of the position with the largest inner load."""
+        return int(np.argmax([place.state.inner.load.max() for place in self.places]))
 
 
 class Ask(NamedTuple):
@@ -88,7 +126,7 @@ def solve(
     clearance: float = 0.0,
     temperature: float | None = None,
     models: str = PAPER,
-    phase: float = 0.0,
+    phase: float | None = None,
     filling: Filling = FLOODED,
     four_point: float | None = None,
     double_row: DoubleRow | None = None,
@@ -96,7 +134,7 @@ def solve(
     """Return the `Point` for a bearing and a lubricant, which are given by name or path and
     searched for in the inputs `folder`. Loads are in N, `rpm` is the speed of the inner ring,
     `clearance` is the diametral clearance in m, `temperature` is in degrees C, and `phase` is the
-    azimuth of the first ball in rad.
+    azimuth of the first ball in rad, by default all positions that `ball_pass.over` selects.
 
     Shoulders missing in `filling` are taken from the bearing's file. `models` is one of
     `models.CAPACITANCE`; "full" includes the film in the gap and inlet shear heating. `four_point`
@@ -117,17 +155,26 @@ def solve(
     speed = rpm * math.pi / 30
     density = inputs.ball_density(path)
     film = FilmInGap(fluid, speed) if models == "full" else None
-    state, orbit = lubrication.turning(
-        body,
-        speed,
-        load,
-        axial,
-        held=STRAIGHT | inputs.held(path, axial, clearance, double_row),
-        clearance=clearance,
-        phase=phase,
-        ball_density=density,
-        film=film,
-    )
+
+    def placed(phase):
+        state, orbit = lubrication.turning(
+            body,
+            speed,
+            load,
+            axial,
+            held=STRAIGHT | inputs.held(path, axial, clearance, double_row),
+            clearance=clearance,
+            phase=phase,
+            ball_density=density,
+            film=film,
+        )
+        films = lubrication.lubricate(body, state, oil, speed, clearance, film and film.factor)
+        return state, films, capacitors.quiet_load(body, orbit, density)
+
+    if phase is None:
+        over = ball_pass.over(placed, body.balls, lambda found: found[0].inner.load)
+    else:
+        over = [(1.0, placed(phase))]
     own = inputs.shoulders(path)
     known = [b if math.isnan(a) else a for a, b in zip(filling.shoulders, own)]
     return Point(
@@ -144,10 +191,8 @@ def solve(
         ),
         body,
         oil,
-        state,
-        lubrication.lubricate(body, state, oil, speed, clearance, film and film.factor),
+        tuple(Place(share, *found) for share, found in over),
         speed,
-        capacitors.quiet_load(body, orbit, density),
         clearance,
         film,
         filling._replace(shoulders=type(own)(*known)),
@@ -157,77 +202,95 @@ def solve(
 
 def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
     """Return a dict of results in SI units, except that angles are in degrees. Quantities that were
-    not requested are None. `balls` is a list with one dict per ball. Raises `ValueError` if no film
-    thickness of the model gives the measured capacitance."""
-    found, films, oil = point.capacitors(), point.films, point.oil
-    top = int(np.argmax(found.inner.load))
-    loaded = found.inner.load > 0
-    plates = films.ball
-    sides = (found.inner, found.outer)
-    gaps, parts = zip(*((side.separation, side.total) for side in sides))
+    not requested are None. Capacitances and impedance are means over the positions of the `point`,
+    voltages, fields and numbers of contacts are extremes over them, and films are those at the
+    largest inner load. `balls` is a list with one dict per ball at the first position. Raises
+    `ValueError` if no film thickness of the model gives the measured capacitance."""
+    every, oil = point.every(), point.oil
+    heavy, films = every[point.heaviest], point.places[point.heaviest].films
+    top = int(np.argmax(heavy.inner.load))
+    plates = [place.films.ball for place in point.places]
+    gaps = [(found.inner.separation, found.outer.separation) for found in every]
+    parts = [(found.inner.total, found.outer.total) for found in every]
     smooth, rough = (
-        film_voltage.threshold(gaps, parts, ask.strength, sigma) for sigma in (0.0, oil.roughness)
+        [film_voltage.threshold(*both, ask.strength, sigma) for both in zip(gaps, parts)]
+        for sigma in (0.0, oil.roughness)
     )
-    metallic = [
-        np.atleast_2d(
-            film_voltage.states(zhou_hoeprich(np.where(side.ratio > 0, side.ratio, np.inf))) == 2
-        )
-        for side in (films.inner, films.outer)
-    ]
+    weakest = int(np.argmin([one.bearing for one in smooth]))
+    metallic = [_metallic(place.films) for place in point.places]
+
+    def mean(values):
+        return float(point.mean(list(values)))
+
+    around = ((found.ball - own)[found.inner.load > 0].sum() for found, own in zip(every, plates))
+    total, of_plates = mean(found.total for found in every), mean(own.sum() for own in plates)
     result = dict(
         point.names,
         permittivity=oil.permittivity,
         roughness_m=oil.roughness,
-        h_c_m=found.inner.separation[top],
-        capacitance_F=plates.sum(),
-        capacitance_surroundings_F=(found.ball - plates)[loaded].sum(),
-        capacitance_unloaded_F=found.unloaded,
-        capacitance_total_F=found.total,
-        plates_factor=found.total / plates.sum() if plates.sum() else None,
-        hertz_area_m2=sum(side.area.sum() for side in sides),
-        threshold_V=smooth.bearing,
-        threshold_peaks_V=rough.bearing,
-        threshold_azimuth_deg=math.degrees(point.state.azimuth[smooth.weakest]),
-        stored_energy_J=film_voltage.stored_energy(
-            found.total + ask.parallel(found.total), smooth.bearing
+        h_c_m=heavy.inner.separation[top],
+        capacitance_F=of_plates,
+        capacitance_surroundings_F=mean(around),
+        capacitance_unloaded_F=mean(found.unloaded for found in every),
+        capacitance_total_F=total,
+        plates_factor=total / of_plates if of_plates else None,
+        hertz_area_m2=mean(found.inner.area.sum() + found.outer.area.sum() for found in every),
+        threshold_V=smooth[weakest].bearing,
+        threshold_peaks_V=min(one.bearing for one in rough),
+        threshold_azimuth_deg=math.degrees(
+            point.places[weakest].state.azimuth[smooth[weakest].weakest]
         ),
-        metallic_contacts=int(sum(side.sum() for side in metallic)),
+        stored_energy_J=film_voltage.stored_energy(
+            total + ask.parallel(total), smooth[weakest].bearing
+        ),
+        metallic_contacts=max(int(sum(side.sum() for side in one)) for one in metallic),
     )
     result["lambda"] = np.atleast_2d(films.inner.ratio)[:, top].max()
     result.update(_field(gaps, parts, oil, ask))
-    result.update(_impedance(found, ask))
+    result.update(_impedance(point, every, ask))
     result.update(bearing_voltage_ratio=None, measured_F=ask.measured)
     if ask.motor is not None:
         result.update(
-            bearing_voltage_ratio=impedance.bearing_voltage_ratio(
-                *ask.motor, found.total, found.total
-            )
+            bearing_voltage_ratio=impedance.bearing_voltage_ratio(*ask.motor, total, total)
         )
     result.update(measured_h_c_m=None, measured_plates_m=None)
     if ask.measured is not None:
-        scale = impedance.film_scale(ask.measured, lambda s: point.capacitors(s).total)
+        scale = impedance.film_scale(ask.measured, point.total)
         result.update(
             measured_h_c_m=scale * result["h_c_m"],
-            measured_plates_m=result["h_c_m"] * plates.sum() / ask.measured,
+            measured_plates_m=result["h_c_m"] * of_plates / ask.measured,
         )
     result = plain(result)
     result["warnings"] = of_statics(
         point.bearing,
         point.filling.shoulders,
-        point.state,
+        point.places[point.heaviest].state,
         films,
         load=point.names["load_N"],
         axial=point.names["axial_N"],
         four_point=point.four_point,
     )
-    result["balls"] = _balls(point, found, smooth, [solid.any(0) for solid in metallic])
+    result["balls"] = _balls(point, every[0], smooth[0], [solid.any(0) for solid in metallic[0]])
     return result
+
+
+def _metallic(films):
+    return [
+        np.atleast_2d(
+            film_voltage.states(clarke(np.where(side.ratio > 0, side.ratio, np.inf))) == 2
+        )
+        for side in (films.inner, films.outer)
+    ]
 
 
 def _field(gaps, parts, oil, ask):
     if ask.voltage is None:
         return dict(field_V_m=None, field_peaks_V_m=None)
-    films = list(zip(film_voltage.divided(abs(ask.voltage), *parts), gaps))
+    films = [
+        film
+        for own, apart in zip(parts, gaps)
+        for film in zip(film_voltage.divided(abs(ask.voltage), *own), apart)
+    ]
     most = [
         max(film_voltage.field(v, film_voltage.local_gap(gap, sigma)).max() for v, gap in films)
         for sigma in (0.0, oil.roughness)
@@ -235,15 +298,27 @@ def _field(gaps, parts, oil, ask):
     return dict(field_V_m=most[0], field_peaks_V_m=None if math.isinf(most[1]) else most[1])
 
 
-def _impedance(found, ask):
-    paths = [side.paths for side in (found.inner, found.outer)]
-    leak = impedance.leak_of_films(paths, ask.resistivity)
-    leak = float(leak) if math.isfinite(leak) else None
+def _impedance(point, every, ask):
+    leaks = [
+        impedance.leak_of_films([side.paths for side in (one.inner, one.outer)], ask.resistivity)
+        for one in every
+    ]
+    leak = point.mean([1 / one for one in leaks])
+    leak = float(1 / leak) if leak > 0 else None
     result = dict(leak_ohm=leak, frequency_Hz=ask.frequency, impedance_ohm=None, phase_deg=None)
     if ask.frequency is not None:
-        z = impedance.of_bearing(found, ask.frequency, ask.resistivity)
+        z = of_pass(point, every, ask.frequency, ask.resistivity)
         result.update(impedance_ohm=abs(z), phase_deg=math.degrees(np.angle(z)))
     return result
+
+
+def of_pass(
+    point: Point, every: list[BearingCapacitors], frequency: Any, resistivity: float
+) -> Any:
+    """Return Z in ohm as in `impedance.of_bearing`, from the mean admittance over the positions of
+    the `point` with the capacitors `every`."""
+    found = [1 / impedance.of_bearing(one, frequency, resistivity) for one in every]
+    return 1 / point.mean(found)
 
 
 def _balls(point, found, threshold, metallic):

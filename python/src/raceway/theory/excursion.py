@@ -89,6 +89,7 @@ def excursion(
     mean = 1 / np.mean(1 / own[loaded])
     own = np.where(loaded, own, mean)
     path = _integral(1 - mean / own) * bearing.pitch_radius
+    path = -path if speed < 0 else path  # balls pass through the angles in the other order
     found = Excursion(
         float(path.max()),
         float(path.min()),

@@ -33,14 +33,15 @@ def curve(point: Point, factors: ArrayLike = FACTORS) -> Reading:
     the model's film thickness; it is NaN if nothing remains after the subtraction. Raises
     `ValueError` if no ball is loaded on both raceways.
     """
-    whole = point.capacitors()
-    plates = whole.plates
+    every = point.every()
+    plates = float(point.mean([one.plates for one in every]))
     if not plates > 0:
         raise ValueError("no ball is loaded on both raceways: there are no plates")
-    h_c = float(whole.inner.separation[np.argmax(whole.inner.load)])
+    inner = every[point.heaviest].inner
+    h_c = float(inner.separation[np.argmax(inner.load)])
     factors = np.asarray(factors, float)
-    total = np.array([point.capacitors(factor).total for factor in factors])
-    left = total - (whole.total - plates)
+    total = np.array([point.total(factor) for factor in factors])
+    left = total - (point.total() - plates)
     with np.errstate(divide="ignore"):
         less = np.where(left > 0, h_c * plates / left, np.nan)
     return Reading(h_c * factors, total, h_c * plates / total, less)

@@ -9,7 +9,7 @@ carries heat away.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -17,16 +17,15 @@ import numpy as np
 
 from raceway import inputs
 from raceway.errors import NoEquilibrium
-from raceway.theory import cage_drag, contact_friction, heat, makers, running
+from raceway.theory import ball_pass, cage_drag, contact_friction, heat, makers, running
 from raceway.theory.bearing import INNER, Bearing
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubricant import Fluid, Lubricant
 from raceway.theory.models import DEFAULT
 from raceway.theory.oil_supply import BATH, Supply
 from raceway.theory.running import Friction, Running
-from raceway.theory.static import STRAIGHT, Equilibrium
+from raceway.theory.static import STRAIGHT
 from raceway.theory.steel import STEEL
-from raceway.theory.thrust_motion import Motion
 
 ENOUGH = 0.01  # K, tolerance of the temperature
 
@@ -71,25 +70,38 @@ class Scene:
     supply: Supply = BATH
     cage: cage_drag.CageRing | None = None
     oil_flow: CirculatingOil | None = None
-    phase: float = 0.0  # rad, azimuth of the first ball
     share: float = 1.0  # factor on the computed friction, set by `by_runs`
-    # the last equilibrium and the last motion under thrust, where the next search begins
-    near: Equilibrium | None = None
-    near_motion: Motion | None = None
+    # {azimuth of the first ball: last result}, where the next search begins
+    near: dict[float, Running] = field(default_factory=dict)
 
     @property
     def ring(self) -> float:
         """Speed of the inner ring in rad/s."""
         return self.rpm * math.pi / 30
 
-    def rest(self, temperature: float, clearance: float) -> Running:
+    def over_pass(self, temperature: float, clearance: float) -> list[tuple[float, Running]]:
+        """Return [(share of the ball pass, result of `rest`)] for the positions of the balls that
+        `ball_pass.over` selects. The loads must be symmetric to the plane of x and z."""
+        return ball_pass.over(
+            lambda phase: self.rest(temperature, clearance, phase),
+            self.bearing.balls,
+            lambda rest: rest.state.inner.load,
+        )
+
+    def rest(self, temperature: float, clearance: float, phase: float = 0.0) -> Running:
         """Compute the equilibrium and the films for oil at a temperature in degrees C and for a
-        clearance in m."""
+        clearance in m, with the first ball at the azimuth `phase` in rad."""
+        found = self.near[phase] = self._rest(
+            temperature, clearance, phase, self.near.get(phase) or self.near.get(0.0)
+        )
+        return found
+
+    def _rest(self, temperature, clearance, phase, near):
         fluid, ring = self.lubricant.at(temperature), self.ring
         surfaces = contact_friction.surfaces(
             self.bearing, self.size, fluid, ring, self.models, self.supply
         )
-        found = running.find(
+        return running.find(
             self.bearing,
             ring,
             self.load,
@@ -102,42 +114,55 @@ class Scene:
             friction=Friction(surfaces, self.spin_law, self.cage),
             clearance=clearance,
             density=self.density,
-            near_motion=self.near_motion,
+            near_motion=near and near.motion,
             held=self.held,
-            phase=self.phase,
-            near=self.near,
+            phase=phase,
+            near=near and near.rolling,
         )
-        self.near, self.near_motion = found.rolling, found.motion or self.near_motion
-        return found
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
-        """Return the results of the scene at a temperature in degrees C and a clearance in m.
-        `sides` is the power in W at the inner and the outer raceway, each including half of the
-        drag; `cage` is the power dissipated at the cage, `drag` the power dissipated by drag, and
-        `flow` the `heat.OilFlow`."""
-        return self.figures(self.rest(temperature, clearance))
+        """Return the results of the scene at a temperature in degrees C and a clearance in m, as
+        means over a ball pass; films are those at the largest inner load. `sides` is the power in W
+        at the inner and the outer raceway, each including half of the drag; `cage` is the power
+        dissipated at the cage, `drag` the power dissipated by drag, and `flow` the
+        `heat.OilFlow`."""
+        return self.figures(self.over_pass(temperature, clearance))
 
-    def figures(self, rest: Running) -> dict[str, Any]:
-        """Return the same results as `at`, computed from a given `rest`."""
-        state, films, fluid, ring = rest.state, rest.films, rest.fluid, self.ring
-        losses = rest.losses()
-        contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis
+    def figures(self, over: Sequence[tuple[float, Running]]) -> dict[str, Any]:
+        """Return the same results as `at`, computed from a given result of `over_pass`."""
+        shares, rests = zip(*over)
+        lost = [rest.losses() for rest in rests]
+
+        def mean(values):
+            return np.average(values, axis=0, weights=shares)
+
+        def own(values):
+            return self.share * mean(values)
+
+        contacts = [one.rolling + one.slip + one.spin + one.hysteresis for one in lost]
         inner = self.bearing.raceways.count(INNER)
-        sides = np.array([contacts[:inner].sum(), contacts[inner:].sum()])
-        top = int(np.argmax(state.inner.load))
+        sides = own([(one[:inner].sum(), one[inner:].sum()) for one in contacts])
+        power, drag = (float(own([of(one) for one in lost])) for of in (_power, _drag))
+        heaviest = max(rests, key=lambda rest: rest.state.inner.load.max())
+        top, film = int(np.argmax(heaviest.state.inner.load)), heaviest.films.inner
+        fluid = heaviest.fluid
         return {
             "viscosity_Pa_s": float(fluid.viscosity),
-            "h_min_m": float(films.inner.h_min.flat[top]),
-            "h_c_m": float(films.inner.h_c.flat[top]),
-            "lambda": float(films.inner.ratio.flat[top]),
-            "friction_torque_N_m": self.share * losses.power / abs(ring),
-            "power_loss_W": self.share * losses.power,
-            "losses_W": {name: self.share * power for name, power in losses.parts.items()},
-            "sides": tuple((self.share * (sides + losses.drag.sum() / 2)).tolist()),
-            "cage": self.share * (losses.cage or 0.0),
-            "contacts": heat.conductances(state, films),
-            "drag": self.share * float(losses.drag.sum()),
-            "flow": self.flow(fluid, float(np.mean(rest.orbit))),
+            "h_min_m": float(film.h_min.flat[top]),
+            "h_c_m": float(film.h_c.flat[top]),
+            "lambda": float(film.ratio.flat[top]),
+            "friction_torque_N_m": power / abs(self.ring),
+            "power_loss_W": power,
+            "losses_W": {
+                name: float(own([one.parts[name] for one in lost])) for name in lost[0].parts
+            },
+            "sides": tuple((sides + drag / 2).tolist()),
+            "cage": float(own([one.cage or 0.0 for one in lost])),
+            "contacts": tuple(
+                mean([heat.conductances(rest.state, rest.films) for rest in rests]).tolist()
+            ),
+            "drag": drag,
+            "flow": self.flow(fluid, float(mean([np.mean(rest.orbit) for rest in rests]))),
         }
 
     def flow(self, fluid: Fluid, orbit: float) -> heat.OilFlow:
@@ -147,6 +172,14 @@ class Scene:
             return heat.STILL
         carries = oil.flow * self.lubricant.density * self.lubricant.heat_capacity
         return heat.oil_flow(self.bearing, oil.width, fluid, carries, oil.inlet, orbit)
+
+
+def _power(losses):
+    return losses.power
+
+
+def _drag(losses):
+    return float(losses.drag.sum())
 
 
 def one_node(scene: Scene, conductance: float, ambient: float, clearance: float) -> dict[str, Any]:

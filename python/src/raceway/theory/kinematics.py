@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raceway.arrays import Floats, Numbers
+from raceway.arrays import Numbers
 from raceway.core import laws
 from raceway.theory.bearing import Bearing
 
@@ -17,17 +17,6 @@ class Frequencies(NamedTuple):
     outer: Numbers  # BPFO, rate of ball passes over a point on the outer ring
     inner: Numbers  # BPFI, rate of ball passes over a point on the inner ring
     spin: Numbers  # BSF, rotational speed of a ball relative to the cage
-
-
-def places(balls: int) -> Floats:
-    """Return azimuths of the first ball in rad, evenly spaced over a ball pass, over which results
-    are averaged.
-
-    If one or two balls carry the load, the results change sharply with their positions: with four
-    positions, the mean capacitance for three balls is 3 % too small, with twelve 0.4 %.
-    """
-    number = 4 if balls > 6 else 12
-    return 2 * np.pi / balls * np.arange(number) / number
 
 
 def frequencies(

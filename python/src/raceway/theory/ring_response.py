@@ -6,7 +6,6 @@ Damping includes only the films and the steel of the contacts. Seats, housing, g
 are neglected.
 """
 
-import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -15,6 +14,7 @@ import numpy as np
 from raceway.arrays import Floats
 from raceway.inputs import Oil
 from raceway.theory import damping, film_damping, hertz
+from raceway.theory.ball_pass import places
 from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubricant import Fluid
@@ -106,7 +106,7 @@ def over_pass(at: Callable[[float], Response], balls: int, phases: int = PHASES)
     """
     if phases < 1:
         raise ValueError(f"{phases} phases of a ball pass: give 1 or more")
-    found = [at(2 * math.pi * k / (balls * phases)) for k in range(phases)]
+    found = [at(phase) for phase in places(balls, phases).tolist()]
     both = [np.array(part) for part in zip(*found)]
     return OverPass(
         *(Response(*(how(one, axis=0) for one in both)) for how in (np.mean, np.min, np.max))

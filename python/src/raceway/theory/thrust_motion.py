@@ -196,7 +196,10 @@ class _Balance:
             along, beside = limit * forward * law.along, limit * law.across
             shares = laws.spin_shares(np.abs(spins) * a, width, np.hypot(slides, across))
             couple = np.sign(spins) * shares.spin * spin.moment(load, friction, a, ellipse.second)
-            slip = -limit * law.couple * curve**2 / width * rolls * shares.slip
+            # spin leaves the couple that balances the power of the force at free rolling's slip
+            kept = -(sliding.FREE**2) * curve * along
+            slip = -limit * law.couple * curve**2 / width * rolls
+            slip = kept + shares.slip * (slip - kept)
         # couples are proportional to the speed below 1 mm/s, as in a run
         near = rolls * r_x / np.maximum(np.abs(rolls) * r_x, 1e-3)
         force = contact_friction.rolling_force(
