@@ -2,6 +2,7 @@
 """Read YAML files written by users. Every value is text or None, so that 6208 is a name, and yes is
 text rather than a boolean. It is an error if a file contains duplicate keys or references."""
 
+import math
 import re
 from collections.abc import Mapping
 from pathlib import Path
@@ -88,3 +89,18 @@ def number(value: Any) -> float:
     if isinstance(value, str) and "_" not in value or type(value) in (int, float):
         return float(value)
     raise ValueError("not a number")
+
+
+def number_within(
+    value: Any, what: str, low: float, high: float, error: type[Exception] = InputError
+) -> float:
+    """Convert a value as in `number`. Raises `error`, which names `what`, if it is not a number
+    from `low` to `high`."""
+    try:
+        found = number(value)
+    except ValueError:
+        found = math.nan
+    if low <= found <= high:
+        return found
+    kind = "a number without a unit, " if math.isnan(found) else ""
+    raise error(f"{what} is {str(value)[:100]}, must be {kind}from {low:g} to {high:g}")

@@ -41,6 +41,7 @@ from raceway.theory.lubricant import Fluid
 from raceway.theory.lubrication import Lubrication
 from raceway.theory.rolling_losses import of_groove
 from raceway.theory.static import Equilibrium
+from raceway.theory.steel import STEEL
 
 PARTS = ("rolling", "slip", "spin", "hysteresis", "drag", "cage")
 SPIN_LAWS = ("closed", "slices")
@@ -85,7 +86,7 @@ def losses(
     clearance: float = 0.0,
     surfaces: Surfaces | None = None,
     spin_law: str = "closed",
-    ball_density: float = 7800.0,
+    ball_density: float = STEEL.density,
     cage: cage_drag.CageRing | None = None,
 ) -> Losses:
     """Compute the `Losses` of an `Equilibrium` with its `Lubrication` and `Fluid`. The inner ring

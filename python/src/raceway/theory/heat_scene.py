@@ -25,6 +25,7 @@ from raceway.theory.models import DEFAULT
 from raceway.theory.oil_supply import BATH, Supply
 from raceway.theory.running import Friction, Running
 from raceway.theory.static import STRAIGHT
+from raceway.theory.steel import STEEL
 
 ENOUGH = 0.01  # K, tolerance of the temperature
 
@@ -61,7 +62,7 @@ class Scene:
     load: float
     axial: float
     rpm: float
-    density: float = 7800.0  # kg/m^3, of the balls
+    density: float = STEEL.density  # kg/m^3, of the balls
     spin_law: str = "closed"
     models: str = DEFAULT
     held: Mapping[str, float] = field(default_factory=STRAIGHT.copy)

@@ -15,6 +15,7 @@ from raceway.theory.friction_torque import Losses
 from raceway.theory.lubricant import Fluid
 from raceway.theory.lubrication import Lubrication, lubricate, turning
 from raceway.theory.static import Equilibrium
+from raceway.theory.steel import STEEL
 from raceway.theory.thrust_motion import Motion
 
 
@@ -80,7 +81,7 @@ def find(
     film: FilmInGap | None = None,
     friction: Friction | None = None,
     clearance: float = 0.0,
-    density: float = 7800.0,
+    density: float = STEEL.density,
     near_motion: Motion | None = None,
     **options: Any,
 ) -> Running:

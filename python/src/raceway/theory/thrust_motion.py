@@ -48,6 +48,7 @@ from raceway.theory.friction_torque import Losses
 from raceway.theory.lubricant import Fluid
 from raceway.theory.lubrication import Lubrication, lubricate, turning
 from raceway.theory.static import Equilibrium, contacts
+from raceway.theory.steel import STEEL
 
 SIDES = (INNER, OUTER)
 OUT = np.array([[-1.0], [1.0]])  # radial direction from ball to raceway at zero contact angle
@@ -301,7 +302,7 @@ def find(
     *,
     near: Motion | None = None,
     clearance: float = 0.0,
-    density: float = 7800.0,
+    density: float = STEEL.density,
     spin_law: str = "closed",
     cage: CageRing | None = None,
 ) -> Motion:
