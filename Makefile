@@ -146,7 +146,6 @@ bench: build
 	.venv/bin/python tests/bench/part_cost.py
 	.venv/bin/python tests/bench/work_precision.py
 	.venv/bin/python tests/bench/many.py
-	.venv/bin/python tests/bench/fleet_record.py
 	.venv/bin/python tests/bench/peers.py
 	.venv/bin/python tests/hard/table.py
 	.venv/bin/python tests/hard/table_speed.py

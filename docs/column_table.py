@@ -9,6 +9,7 @@ from pathlib import Path
 
 from docutils.statemachine import StringList
 from raceway import core
+from raceway.sweeps import variable_table
 from sphinx.util.docutils import SphinxDirective
 
 COLUMNS = core.PATH  # the library that contains the tables
@@ -151,11 +152,9 @@ class OilTable(SphinxDirective):
 
     def run(self):
         self.env.note_dependency(str(COLUMNS))
-        kinds = ("oil constant", "oil over temperature", "oil data")
         rows = [
             (f"*{r['name']}*", f"{r['default']} {r['unit']}".strip(), r["meaning"])
-            for r in core.table("variables")
-            if r["of"] in kinds and r["default"]
+            for r in variable_table.oil().values()
         ]
         lines = table("25 20 55", ("constant", "default", "meaning and effect"), rows)
         return self.parse_text_to_nodes(StringList(lines, source=str(COLUMNS)))
@@ -193,7 +192,7 @@ class DeckVariables(SphinxDirective):
                 range_of_variable(r),
                 r["meaning"] + (f" ({r['unit']})" if r["unit"] else ""),
             )
-            for r in core.table("variables")
+            for r in variable_table.rows()
             if r["of"] == of or (r["name"] in deck and r["of"] not in APART)
         ]
         lines = table("20 14 22 44", ("variable", "default", "range", "meaning"), rows)

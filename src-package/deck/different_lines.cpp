@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "different_lines.h"
 
+#include "../core/settings/written.h"
+
 #include <algorithm>
-#include <sstream>
 
 namespace bearing {
 
@@ -22,12 +23,8 @@ std::string missing_line(const std::vector<std::string> &list,
 // the last.
 void leave_difference(std::string &one, std::string &other)
 {
-  std::vector<std::string> words[2];
+  const std::vector<std::string> words[2] = {words_of(one), words_of(other)};
   std::string *const lines[2] = {&one, &other};
-  for (int k = 0; k < 2; ++k) {
-    std::istringstream in(*lines[k]);
-    for (std::string word; in >> word;) words[k].push_back(word);
-  }
   const size_t shorter = std::min(words[0].size(), words[1].size());
   size_t first = 0, last = 0;    // numbers of equal words at the start and at the end
   while (first < shorter && words[0][first] == words[1][first]) ++first;
@@ -36,9 +33,9 @@ void leave_difference(std::string &one, std::string &other)
     // start a few words before the first difference, unless that would include the command itself
     const size_t from = first > 6 ? first - 3 : 0;
     const size_t end = words[k].size() - last, to = std::min(end, from + longest_difference);
-    *lines[k] = from ? words[k][0] + " ..." : "";
-    for (size_t n = from; n < to; ++n) *lines[k] += (lines[k]->empty() ? "" : " ") + words[k][n];
-    if (to < words[k].size()) *lines[k] += " ...";
+    *lines[k] = (from ? words[k][0] + " ... " : "") +
+                joined({words[k].begin() + from, words[k].begin() + to}, " ") +
+                (to < words[k].size() ? " ..." : "");
   }
 }
 

@@ -2,6 +2,7 @@
 #include "find_data.h"
 
 #include "../core/settings/data_table.h"
+#include "../core/settings/written.h"
 
 #include <filesystem>
 #include <fstream>
@@ -11,13 +12,6 @@
 namespace fs = std::filesystem;
 
 namespace bearing {
-
-std::string joined(const std::vector<std::string> &names, const char *between)
-{
-  std::string list;
-  for (const std::string &name : names) list += (list.empty() ? "" : between) + name;
-  return list;
-}
 
 static Data data_file(const fs::path &file)
 {
@@ -63,10 +57,9 @@ Data find_data(std::string folder, std::string name)
     near.resize(nearest_names);
     near.push_back(std::to_string(names.size()) + " in all");
   }
-  const std::string list = joined(near);
   return {"there is no '" + name + "' in folder " + folder + "; there is: " +
-          (list.empty() ? "nothing (run from the folder that holds it, or give 'inputs FOLDER')"
-                        : list)};
+          (near.empty() ? "nothing (run from the folder that holds it, or give 'inputs FOLDER')"
+                        : joined(near))};
 }
 
 }    // namespace bearing

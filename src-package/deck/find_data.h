@@ -4,7 +4,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 namespace bearing {
 
@@ -15,7 +14,5 @@ struct Data {
 // `name` may also be the path of a file if it contains a '/'. Because the function reads files, it
 // should be called on one rank only.
 Data find_data(std::string folder, std::string name);
-
-std::string joined(const std::vector<std::string> &names, const char *between = ", ");
 
 }    // namespace bearing

@@ -2,6 +2,7 @@
 #include "given_variables.h"
 
 #include "../core/settings/data_table.h"
+#include "../core/settings/written.h"
 
 #include <algorithm>
 #include <cctype>
@@ -123,14 +124,6 @@ void collect_deck(FILE *infile, DeckNames &names)
   for (const std::string &deck : words_after("-in", "-i")) collect(deck, names);
 }
 
-std::string nearest(const std::string &name, const Names &names)
-{
-  return *std::min_element(names.begin(), names.end(),
-                           [&](const std::string &a, const std::string &b) {
-                             return distance(name, a) < distance(name, b);
-                           });
-}
-
 static bool is_number(const std::string &word)
 {
   char *end = nullptr;
@@ -140,9 +133,7 @@ static bool is_number(const std::string &word)
 
 std::string wrong_with(const std::string &value)
 {
-  std::istringstream in(value);
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
+  const std::vector<std::string> words = words_of(value);
   if (words.empty()) return " is empty";
   if (is_number(words[0]) && !std::all_of(words.begin(), words.end(), is_number))
     return " is '" + value + "': give a number alone, in the unit of the deck";

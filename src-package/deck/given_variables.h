@@ -38,8 +38,6 @@ std::string deck_name(FILE *infile);
 // -in, which may include that deck.
 void collect_deck(FILE *infile, DeckNames &);
 
-std::string nearest(const std::string &name, const Names &);
-
 // Returns an error message if a value given with -var is empty or is followed by a unit, and an
 // empty string otherwise.
 std::string wrong_with(const std::string &value);

@@ -7,7 +7,6 @@
 #include "given_variables.h"
 
 #include <algorithm>
-#include <iterator>
 #include <sstream>
 
 namespace bearing {
@@ -15,8 +14,8 @@ namespace bearing {
 // Returns the names that are known on the first rank, which reads the command line and the decks.
 static Names of_first_rank(LAMMPS_NS::LAMMPS *lmp, const Names &names)
 {
-  std::istringstream in(of_first_rank(lmp, joined({names.begin(), names.end()}, " ")));
-  return {std::istream_iterator<std::string>(in), {}};
+  const auto all = words_of(of_first_rank(lmp, joined({names.begin(), names.end()}, " ")));
+  return {all.begin(), all.end()};
 }
 
 NamedData read_data(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, const std::string &inputs,

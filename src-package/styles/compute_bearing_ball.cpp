@@ -79,6 +79,7 @@ void ComputeBearingBall::compute_peratom()
     vector_atom = vector_;
     array_atom = array_;
   }
+  bearing::send_velocities(lmp);
   for (int i = 0; i < atom->nlocal; ++i) {
     vector_[i] = 0.0;
     for (int k = 0; k < n; ++k) array_[i][k] = 0.0;

@@ -39,6 +39,7 @@ void ComputeBearingTotal::compute_vector()
     BallFigures of;
   };
   std::vector<Share> shares;
+  bearing::send_velocities(lmp);
   const bearing::ContactContext context = {pair_->coefficients().axis_index(), nullptr};
   const std::vector<RacewayContact> &rows = pair_->table().raceway;
   for (size_t i = 0; i < rows.size();) {

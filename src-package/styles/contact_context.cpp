@@ -55,6 +55,11 @@ ContactContext context_of(LAMMPS *lmp, const PairBearingHertz &pair, const Conta
   return context;
 }
 
+void send_velocities(LAMMPS *lmp)
+{
+  if (lmp->comm->nprocs > 1) lmp->comm->forward_comm();
+}
+
 double orbit_of(const Atom &atom, const PairBearingHertz &pair, const RacewayContact &c)
 {
   using raceway::Vec3;

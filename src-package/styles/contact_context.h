@@ -33,6 +33,10 @@ void check_surroundings(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &
 ContactContext context_of(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &,
                           const ContactSelection &, const std::string &asked_by);
 
+// Gives ghosts the velocities that their owners have now; those received in a step of velocity
+// Verlet are half a step old. Must be called on all ranks, before orbit_of.
+void send_velocities(LAMMPS_NS::LAMMPS *);
+
 // Returns the speed (rad/s) at which a ball orbits about the ring of a contact; the surfaces do not
 // have to touch.
 double orbit_of(const LAMMPS_NS::Atom &, const LAMMPS_NS::PairBearingHertz &,

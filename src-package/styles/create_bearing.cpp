@@ -17,7 +17,7 @@ using bearing::Arguments;
 using bearing::text;
 
 // create_bearing BALL CAGE|none INNER OUTER balls Z diameter D [density RHO] [cage D_c]
-//   [cage_density RHO] [seat none|plus|minus] [cage_ring TYPE] [resumed yes|no]
+//   [cage_density RHO] [seat none|plus|minus] [cage_ring TYPE]
 //   [centre x y z] [phase PHI] [speed W_i W_o] [thrust F] [groups yes|no]
 // or, for a named bearing: create_bearing NAME with the keywords of the last line
 void CreateBearing::command(int narg, char **arg)
@@ -28,7 +28,7 @@ void CreateBearing::command(int narg, char **arg)
   create(args, parse(args));
 }
 
-// Creates a named bearing from its data. After a restart, its atoms already exist.
+// Creates a named bearing from its data.
 void CreateBearing::command_named(Arguments &args)
 {
   const bearing::NamedBearing &b = bearing::bearing_of(lmp, args, args.word("name of a bearing"));
@@ -56,12 +56,10 @@ void CreateBearing::command_named(Arguments &args)
     p.cage_radius = 0.5 * b.number("cage_ball_diameter");
   }
   if (b.has_cage_ring) p.ring_cage = b.cage;
-  p.resumed = bearing::host_variable(lmp, "b_resumed").value_or("0") == "1" ||
-              (modify->nfix_restart_peratom > 0 && balls_of(b.balls));
   Arguments own(lmp, "create_bearing " + b.name, {});
   check_host(own);
-  create(own, p);
-  if (b.has_cage_ring && !p.resumed) b.phases[next_tag_ - 1] = p.phase;
+  const bool placed = create(own, p);
+  if (b.has_cage_ring && placed) b.phases[next_tag_ - 1] = p.phase;
   if (!b.has_cage && p.groups) input->one(("group cage type " + std::to_string(b.cage)).c_str());
 }
 
@@ -82,10 +80,13 @@ void CreateBearing::check_host(const Arguments &args)
     args.fail("needs atom_style sphere (granular in LIGGGHTS)");
 }
 
-void CreateBearing::create(const Arguments &args, Plan plan)
+// Creates the atoms of a bearing and returns true, or false if they come from a restart file.
+bool CreateBearing::create(const Arguments &args, Plan plan)
 {
   PairBearingHertz &pair = *PairBearingHertz::find(lmp, "create_bearing");
-  if (!plan.resumed) {
+  const bool resumed = bearing::host_variable(lmp, "b_resumed").value_or("0") == "1" ||
+                       (modify->nfix_restart_peratom > 0 && balls_of(plan.ball_type));
+  if (!resumed) {
     if (modify->nfix_restart_peratom)
       args.fail(
           "comes before read_restart, not after, because the restart file contains the bearing");
@@ -93,9 +94,10 @@ void CreateBearing::create(const Arguments &args, Plan plan)
     place(plan, pair);
     if (plan.cage_type) pair.expect_sphere(plan.ball_type, plan.cage_type);
   } else if (atom->natoms == 0) {
-    args.fail("'resumed yes' needs the atoms of a restart file: read_restart must come first");
+    args.fail("b_resumed is 1, but there are no atoms: read_restart must come first");
   }
   if (plan.groups) make_groups(plan);
+  return !resumed;
 }
 
 // The bearings created by all commands share these groups.
@@ -125,8 +127,6 @@ CreateBearing::Plan CreateBearing::parse(Arguments &args)
     if (args.take("seat")) {
       static const int way[] = {0, 1, -1};
       p.seat = way[args.choice("seat", {"none", "plus", "minus"})];
-    } else if (args.take("resumed")) {
-      p.resumed = args.choice("resumed", {"no", "yes", "0", "1"}) % 2 == 1;
     } else if (!(args.integer("balls", p.balls, "number of balls", 1, 100000) ||
                  args.positive("diameter", ball, "ball diameter (m)") ||
                  args.positive("density", p.ball_density, "ball density (kg/m^3)") ||

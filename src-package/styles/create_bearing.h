@@ -42,13 +42,12 @@ class CreateBearing : public bearing::CommandBase {
     double ball_z = 0.0, inner_z = 0.0;    // m, positions along the axis
     double cosine = 1.0;                   // cosine of the contact angle
     bool groups = false;                   // true if the groups are to be created
-    bool resumed = false;                  // true if the atoms come from a restart file
   };
 
   void command_named(bearing::Arguments &);
   bool balls_of(int type) const;
   void check_host(const bearing::Arguments &);
-  void create(const bearing::Arguments &, Plan);
+  bool create(const bearing::Arguments &, Plan);
   Plan parse(bearing::Arguments &);
   static bool take_motion(bearing::Arguments &, Plan &);
   void check(const bearing::Arguments &, const PairBearingHertz &, Plan &);

@@ -2,6 +2,7 @@
 #include "deck_columns.h"
 
 #include "../core/settings/arguments.h"
+#include "../core/settings/written.h"
 #include "../deck/column_list.h"
 #include "bearing_compat.h"
 
@@ -64,11 +65,9 @@ void BearingDump::command(int narg, char **arg)
     if (!args.yes("append", append) && !args.word("columns", names, "name of a variable"))
       args.unknown();
   const Columns of = columns_of(lmp, args, source);
-  if (!names.empty()) {
-    std::string style = "string", value = of.names;
-    char *words[] = {&names[0], &style[0], &value[0]};
-    input->variable->set(3, words);
-  }
+  if (!names.empty())
+    bearing::pass_words({names, "string", of.names},
+                        [this](int n, char **words) { input->variable->set(n, words); });
   if (of.compute) {
     input->one(
         ("dump " + id + " " + group + " local " + every + " " + file + " " + of.values).c_str());

@@ -4,7 +4,6 @@
 #include "../core/settings/arguments.h"
 #include "../core/settings/deck_variable_table.h"
 #include "../core/settings/written.h"
-#include "../deck/find_data.h"
 #include "find_record_layout.h"
 #include "fix_bearing_heat.h"
 #include "fix_bearing_implicit.h"
@@ -91,7 +90,7 @@ std::string variables_of(LAMMPS *lmp, double within)
 }
 
 // Returns the data of a bearing, its oil and its heating as words KEY=VALUE.
-std::string words_of(LAMMPS *lmp, const NamedBearing &b, const PairBearing &pair)
+std::string data_words(LAMMPS *lmp, const NamedBearing &b, const PairBearing &pair)
 {
   const auto [oil, temperature] = pair.oil_of(b.name);
   std::string words = "bearing=" + b.word("bearing");
@@ -180,7 +179,7 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, const RecordLayou
     std::string lines, numbers;    // one line per name, and the index of the line for each bearing
                                    // in the record
     for (const NamedBearing *one : list)
-      lines += (lines.empty() ? "" : "\n") + words_of(lmp, *one, *named);
+      lines += (lines.empty() ? "" : "\n") + data_words(lmp, *one, *named);
     for (const int type : ball_types(lmp, layout)) {
       const auto at = std::find(list.begin(), list.end(), bearing_of_type(lmp, type));
       numbers += (numbers.empty() ? "" : " ") + std::to_string(at - list.begin());

@@ -15,19 +15,22 @@ double file_size(const std::string &file)
   return stat(file.c_str(), &s) == 0 ? static_cast<double>(s.st_size) : -1.0;
 }
 
+// Writes 64 kB to a file from its end on, and flushes it to the disk.
+static std::string extend(int fd)
+{
+  const std::string content(65536, 'x');
+  if (lseek(fd, 0, SEEK_END) < 0) return strerror(errno);
+  errno = ENOSPC;    // the system does not report a short write as an error
+  const auto length = static_cast<ssize_t>(content.size());
+  return write(fd, content.data(), content.size()) == length && fsync(fd) == 0 ? ""
+                                                                               : strerror(errno);
+}
+
 std::string disk_is_full(const std::string &file)
 {
-  const std::string probe = file + ".probe", content(65536, 'x');
-  std::string why;
+  const std::string probe = file + ".probe";
   const int fd = open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  if (fd < 0) {
-    why = strerror(errno);
-  } else {
-    errno = ENOSPC;    // the system does not report a short write as an error
-    if (write(fd, content.data(), content.size()) != static_cast<ssize_t>(content.size()) ||
-        fsync(fd) != 0)
-      why = strerror(errno);
-  }
+  const std::string why = fd < 0 ? strerror(errno) : extend(fd);
   if (fd >= 0) close(fd);
   unlink(probe.c_str());
   return why;
@@ -39,6 +42,16 @@ bool flush_to_disk(const std::string &file)
   const bool good = fd >= 0 && fsync(fd) == 0;
   if (fd >= 0) close(fd);
   return good;
+}
+
+std::string flush_with_room(const std::string &file)
+{
+  const double size = file_size(file);
+  const int fd = open(file.c_str(), O_WRONLY);
+  std::string why = fd < 0 ? strerror(errno) : extend(fd);
+  if (fd >= 0 && ftruncate(fd, static_cast<off_t>(size)) != 0 && why.empty()) why = strerror(errno);
+  if (fd >= 0) close(fd);
+  return why;
 }
 
 }    // namespace bearing

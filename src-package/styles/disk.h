@@ -16,4 +16,8 @@ std::string disk_is_full(const std::string &file);
 // Flushes `file` to the disk and returns true on success.
 bool flush_to_disk(const std::string &file);
 
+// Flushes `file` to the disk. Returns an empty string if it could have been 64 kB longer, and
+// otherwise the reason why not.
+std::string flush_with_room(const std::string &file);
+
 }    // namespace bearing

@@ -102,6 +102,8 @@ void describe(const BearingModel &m, const Raceways &both, double permittivity, 
   }
 }
 
+}    // namespace
+
 BearingSources sources_of(LAMMPS *lmp, PairBearingHertz &pair)
 {
   BearingSources sources;
@@ -119,8 +121,6 @@ BearingSources sources_of(LAMMPS *lmp, PairBearingHertz &pair)
   sources.motion = [&pair](int i) -> RingMotion & { return pair.state()->ring(i); };
   return sources;
 }
-
-}    // namespace
 
 RecordLayout find_record_layout(LAMMPS *lmp, PairBearingHertz &pair, int groupbit,
                                 const std::string &command)

@@ -11,6 +11,11 @@ class PairBearingHertz;
 
 namespace bearing {
 
+struct BearingSources;
+
+// Returns the data of this rank from which the bearings are assembled (ranks/home_bearings.h).
+BearingSources sources_of(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz &);
+
 // Must be called after the forces have been computed. Stops with an error that names `command` if
 // an atom of the group does not belong to any bearing, or if a ball runs on two raceways of the
 // same side.

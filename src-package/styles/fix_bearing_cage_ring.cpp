@@ -50,8 +50,26 @@ FixBearingCageRing::FixBearingCageRing(LAMMPS *lmp, int narg, char **arg) :
 
 int FixBearingCageRing::setmask() { return FixBearingRing::setmask() | PRE_NEIGHBOR | PRE_FORCE; }
 
+// Returns true if no ring of the named bearing tilts or moves along its axis.
+bool FixBearingCageRing::rings_stay_in_plane() const
+{
+  const bearing::NamedBearing &b = *bearing::find_bearing(lmp, bearing_);
+  int leaves = 0;
+  for (const FixBearingRing *ring : bearing::fixes_of<FixBearingRing>(lmp))
+    if (ring->moves_axially() || ring->tilts())
+      for (int i = 0; i < atom->nlocal; ++i)
+        if (ring->moves(i) && (atom->type[i] == b.inner || atom->type[i] == b.outer)) leaves = 1;
+  MPI_Allreduce(MPI_IN_PLACE, &leaves, 1, MPI_INT, MPI_MAX, world);
+  return leaves == 0;
+}
+
 void FixBearingCageRing::init()
 {
+  if (!bearing_.empty()) {
+    cage_.planar = rings_stay_in_plane();
+    cage_.find_freedoms();
+    settings_.program = cage_.program;
+  }
   FixBearingRing::init();
   state_->follow_axes();    // the pockets rotate with the cage
   const std::string me = bearing::name_of(*this);

@@ -35,6 +35,7 @@ class FixBearingCageRing : public FixBearingRing {
  private:
   raceway::CageMotion motion(int i) const;
   void turn_to_balls();
+  bool rings_stay_in_plane() const;
   void find_cells();
   void find_lands();
   void check_cells() const;

@@ -29,7 +29,7 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
   if (args.more() && args.next_is_number())
     nevery = args.integer("steps between samples", 1, 1000000000);
   else wait();
-  for (const std::string &word : args.rest()) said_ += (said_.empty() ? "" : " ") + word;
+  said_ = bearing::joined(args.rest(), " ");
   idle_ = pair_->dry_by_choice();
   read_options(args);
   const bool all = model_.surrounded();
@@ -91,9 +91,7 @@ void FixBearingCapacitance::read_options(Arguments &args)
       args.unknown();
     }
   }
-  if (within_ > 1 && nevery != 1)
-    args.fail("'within' takes samples evenly within every step: N must be 1, not " +
-              std::to_string(nevery));
+  bearing::check_within(args, within_, nevery);
   if (idle_) return;
   given_ = model_;
   said_given_ = said_;

@@ -5,11 +5,11 @@
 #include "../core/settings/arguments.h"
 #include "../core/settings/deck_words.h"
 #include "../core/settings/restart_sum.h"
+#include "../core/settings/written.h"
 #include "../deck/different_lines.h"
 #include "../deck/formulas.h"
 #include "deck_notes.h"
 #include "disk.h"
-#include "fix_bearing_capacitance.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "output.h"
@@ -28,7 +28,6 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using bearing::Arguments;
-using bearing::DrivenValue;
 using bearing::StopSignal;
 namespace fs = std::filesystem;
 
@@ -39,8 +38,7 @@ std::string whole(double n) { return std::to_string(static_cast<long long>(n)); 
 }    // namespace
 
 // fix ID group bearing/checkpoint [N] FILE [restart M] [keep K] [resume yes|no] [last yes|no]
-// [settings TEXT]
-// [mean V] ... [count K V1 ... VK] [balance RING] [files F1 F2 ...]
+// [balance RING] [dumps yes|no] [files F1 F2 ...]
 FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), command_(bearing::name_of(*this))
 {
@@ -57,17 +55,11 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
   while (args.more()) {
     if (args.integer("restart", every_restart_, "steps between restart files", 0, 2000000000) ||
         (waits() && args.variable("keep", keep)) || args.yes("resume", resume_) ||
-        args.yes("last", last_) || args.word("settings", settings_, "settings"))
+        args.yes("last", last_) || args.word("balance", ring_id_, "ID of a fix bearing/ring") ||
+        (waits() && args.yes("dumps", dumps)))
       continue;
-    if (args.take("mean")) means_.push_back(DrivenValue::read(args, "mean"));
-    else if (args.take("count"))
-      for (int n = args.integer("number of counters", 1, 100); n > 0; --n)
-        counters_.push_back(DrivenValue::read(args, "count"));
-    else if (!args.word("balance", ring_id_, "ID of a fix bearing/ring") &&
-             !(waits() && args.yes("dumps", dumps))) {
-      if (!args.take("files")) args.unknown();
-      while (args.more()) files_.push_back(args.word("file"));
-    }
+    if (!args.take("files")) args.unknown();
+    while (args.more()) files_.push_back(args.word("file"));
   }
   keep_ = keep;
   if (dumps)
@@ -78,14 +70,10 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
       if (f != this && dynamic_cast<const FixBearingCheckpoint *>(f))
         args.fail(std::string("fix ") + f->id +
                   " already has this style: the host writes only one series of restart files");
-  if (means_.empty()) means_.emplace_back();    // an empty mean is added because the counters come
-                                                // second
-  sums_.assign(means_.size() + (ring_id_.empty() ? 0 : 6), 0.0);
-  before_.assign(counters_.size(), 0.0);
   length_.assign(files_.size(), 0.0);
   seen_.assign(files_.size(), -1.0);
   restart_global = 1;
-  bearing::provide_values(*this, static_cast<int>(means_.size() + counters_.size()));
+  bearing::provide_values(*this, 0);
   write_every(every_restart_);
 }
 
@@ -94,9 +82,8 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
 void FixBearingCheckpoint::write_every(int steps)
 {
   const std::string n = std::to_string(steps ? steps : std::numeric_limits<int>::max());
-  std::string words[] = {n, part_, part_};
-  char *list[] = {&words[0][0], &words[1][0], &words[2][0]};
-  output->create_restart(3, list);
+  bearing::pass_words({n, part_, part_},
+                      [this](int n, char **words) { output->create_restart(n, words); });
 }
 
 // Restart files are also written while the bearing settles, because this may take longer than the
@@ -119,17 +106,7 @@ int FixBearingCheckpoint::setmask() { return INITIAL_INTEGRATE | END_OF_STEP | P
 void FixBearingCheckpoint::init()
 {
   if (waits()) refuse_plain_run(lmp, command_);
-  bool reads = false;
-  for (std::vector<DrivenValue> *list : {&means_, &counters_})
-    for (DrivenValue &v : *list) {
-      v.check(lmp, command_);
-      reads = reads || v.is_variable();
-    }
   if (!ring_id_.empty()) find_ring();
-  if (reads)
-    for (const FixBearingCapacitance *f : bearing::capacitances_of(lmp))
-      bearing::require_order(lmp, *f, *this,
-                             "variables sampled at the end of a step may read its capacitance");
   if (resume_ && !resumed_)
     BRG_ALL(command_ + ": nothing to resume: the restart file has no state of a fix " + id +
             " of this style");
@@ -213,12 +190,10 @@ void FixBearingCheckpoint::end_of_step()
 
 void FixBearingCheckpoint::take_sample()
 {
-  for (size_t k = 0; k < means_.size(); ++k) sums_[k] += means_[k].now(lmp);
   if (ring_) {
     const FixBearingRing::Balance now = ring_->balance();
-    double *to = &sums_[means_.size()];
-    for (const raceway::Vec3 &v : {now.load, now.left})
-      for (double component : {v.x, v.y, v.z}) *to++ += component;
+    sum_.load += now.load;
+    sum_.left += now.left;
   }
   samples_ += 1.0;
   if (comm->me == 0) watch_files();
@@ -264,9 +239,9 @@ void FixBearingCheckpoint::publish()
   for (const std::string &f : files_) bearing::flush_to_disk(f);
   // the host does not check its writes; they are assumed to have succeeded if the disk accepts more
   // data
-  std::string why = bearing::disk_is_full(file_);
-  if (why.empty() && !bearing::write_sum(part_)) why = "its checksum cannot be added";
-  if (why.empty() && !bearing::flush_to_disk(part_)) why = strerror(errno);
+  const bool summed = bearing::write_sum(part_);
+  std::string why = bearing::flush_with_room(part_);
+  if (why.empty() && !summed) why = "its checksum cannot be added";
   if (why.empty() && rename(part_.c_str(), file_.c_str()) != 0) why = strerror(errno);
   if (why.empty()) return;
   unlink(part_.c_str());
@@ -322,39 +297,26 @@ void FixBearingCheckpoint::watch_files()
   }
 }
 
-// Returns the mean residual force on the ring as a fraction of the mean load.
+// Returns the mean residual force on the ring as a fraction of the mean load, over all parts of an
+// interrupted run.
 double FixBearingCheckpoint::compute_scalar()
 {
   if (ring_id_.empty() || samples_ == 0.0) return 0.0;
-  const double *of = &sums_[means_.size()];
-  return std::hypot(of[3], of[4], of[5]) / std::hypot(of[0], of[1], of[2]);
-}
-
-// Returns the means over the samples, followed by the counters. Both include all parts of an
-// interrupted run.
-double FixBearingCheckpoint::compute_vector(int n)
-{
-  size_t k = static_cast<size_t>(n);
-  if (k < means_.size()) return samples_ > 0.0 ? sums_[k] / samples_ : 0.0;
-  k -= means_.size();
-  // a variable that is redefined between runs may have a new index
-  counters_[k].check(lmp, command_);
-  return before_[k] + counters_[k].now(lmp);
+  const auto length = [](const raceway::Vec3 &v) { return std::hypot(v.x, v.y, v.z); };
+  return length(sum_.left) / length(sum_.load);
 }
 
 void FixBearingCheckpoint::write_restart(FILE *fp)
 {
   bearing::NumberWriter list;
-  list(samples_, sums_.size(), counters_.size(), files_.size(), sums_);
-  for (size_t k = 0; k < counters_.size(); ++k)
-    list(compute_vector(static_cast<int>(means_.size() + k)));
+  list(samples_, files_.size(), sum_);
   if (comm->me != 0) return;
   // a deck may also write its own restart files, which this fix ignores
   struct stat theirs, ours;
   written_ = fstat(fileno(fp), &theirs) == 0 && stat(part_.c_str(), &ours) == 0 &&
              theirs.st_dev == ours.st_dev && theirs.st_ino == ours.st_ino;
   for (const std::string &f : files_) list(bearing::file_size(f));
-  std::string words = settings_ + '\0';
+  std::string words;
   for (const std::string &line : deck()) words += line + '\n';
   list.write(fp, words + '\0' + bearing::empty_sum());
 }
@@ -362,19 +324,13 @@ void FixBearingCheckpoint::write_restart(FILE *fp)
 void FixBearingCheckpoint::restart(char *buf)
 {
   bearing::NumberReader list(buf);
-  size_t sums, counters, files;
-  list(samples_, sums, counters, files);
-  if (sums != sums_.size() || counters != counters_.size() || files != files_.size())
-    BRG_ALL(command_ + ": the restart file was written with " + std::to_string(sums) + " sums, " +
-            std::to_string(counters) + " counters and " + std::to_string(files) + " files, not " +
-            std::to_string(sums_.size()) + ", " + std::to_string(counters_.size()) + " and " +
-            std::to_string(files_.size()));
-  list(sums_, before_, length_);
-  const char *rest = list.rest();
-  if (settings_ != rest)
-    BRG_ALL(command_ + ": " + file_ + " belongs to another run: '" + rest + "', this one is '" +
-            settings_ + "'. Remove it, or resume with its settings");
-  deck_ = rest + settings_.size() + 1;
+  size_t files;
+  list(samples_, files, sum_);
+  if (files != files_.size())
+    BRG_ALL(command_ + ": the restart file was written with " + std::to_string(files) +
+            " files, not " + std::to_string(files_.size()));
+  list(length_);
+  deck_ = list.rest();
   resumed_ = true;
   check_files();
 }

@@ -11,16 +11,14 @@ FixStyle(bearing/checkpoint,FixBearingCheckpoint)
 #ifndef LMP_FIX_BEARING_CHECKPOINT_H
 #define LMP_FIX_BEARING_CHECKPOINT_H
 
-#include "../core/settings/driven_value.h"
 #include "bearing_compat.h"
+#include "fix_bearing_ring.h"
 #include "run_phase.h"
 #include "stop_signal.h"
 
 #include <vector>
 
 namespace LAMMPS_NS {
-
-class FixBearingRing;
 
 class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
  public:
@@ -31,7 +29,6 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
   void end_of_step() override;
   void post_run() override;
   double compute_scalar() override;
-  double compute_vector(int) override;
   void write_restart(FILE *) override;
   void restart(char *) override;
   void settle(const bearing::Sampling &) override;
@@ -50,24 +47,20 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
   void check_deck();
 
   bearing::StopSignal stop_signal_;
-  std::string command_, file_, part_, settings_;
+  std::string command_, file_, part_;
   std::string deck_;    // deck() of the run that wrote the restart file, stored until it has been
                         // compared
   int every_restart_ = 0;
   double keep_ = 0.0;    // number of samples between restart files, in run_bearing
   bool resume_ = false, resumed_ = false;
-  std::vector<std::string> files_;                // files that grow with every sample
-  std::vector<double> length_;                    // sizes in bytes at the step of the restart file
-  std::vector<double> seen_;                      // sizes in bytes at the last sample
-  bool last_ = false;                             // also write a restart file at the end of a run
-  std::vector<bearing::DrivenValue> means_;       // values averaged over the samples
-  std::vector<bearing::DrivenValue> counters_;    // values that restart from 0 in every run
+  std::vector<std::string> files_;    // files that grow with every sample
+  std::vector<double> length_;        // sizes in bytes at the step of the restart file
+  std::vector<double> seen_;          // sizes in bytes at the last sample
+  bool last_ = false;                 // also write a restart file at the end of a run
   double samples_ = 0.0;
   std::string ring_id_;    // ID of a fix bearing/ring whose force balance is averaged, or empty
   FixBearingRing *ring_ = nullptr;
-  std::vector<double> sums_;      // sums for the means, followed by the load and the residual force
-                                  // (N) of the ring
-  std::vector<double> before_;    // counters of the previous runs
+  FixBearingRing::Balance sum_;    // over the samples
   // on rank 0: true if the host has written part_, which has not been published yet
   bool written_ = false;
   bool begun_ = false, cut_ = false;

@@ -34,9 +34,7 @@ FixBearingCircuit::FixBearingCircuit(LAMMPS *lmp, int narg, char **arg) : Fix(lm
   nevery = args.integer("steps between samples", 1, 1000000000);
   cap_id_ = args.word("ID of a fix bearing/capacitance");
   settings_ = CircuitSettings::read(args);
-  if (settings_.within > 1 && nevery != 1)
-    args.fail("'within' takes samples evenly within every step: N must be 1, not " +
-              std::to_string(nevery));
+  bearing::check_within(args, settings_.within, nevery);
   if (!settings_.events.empty()) {
     std::string names =
         "time discharge order ball raceway azimuth bearing_voltage bearing_voltage_after "

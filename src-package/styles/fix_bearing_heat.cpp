@@ -240,9 +240,10 @@ void FixBearingHeat::begin_step()
 {
   if (last_step_ == update->ntimestep) return;
   last_step_ = update->ntimestep;
+  ahead_ = update->dt;
   if (apply_) apply_oil();
   apply_ = false;
-  if (now_.stage == RAMP || now_.stage == LAST) grow(share_at(now_.since + update->dt));
+  if (now_.stage == RAMP || now_.stage == LAST) grow(share_at(now_.since + ahead_));
 }
 
 // Adapts contact law and cage to the temperature of the oil, and sets the thermal expansion of the
@@ -259,7 +260,7 @@ void FixBearingHeat::apply_oil()
     if (f->idle_ || !f->bearing_) continue;
     f->pair_ = pair_;    // the pair style may be a new one, which f learns only in its own init()
     const bool moves = f->now_.stage == RAMP || f->now_.stage == LAST;
-    f->grow(moves ? f->share_at(f->now_.since) : 1.0);
+    f->grow(moves ? f->share_at(f->now_.since + f->ahead_) : 1.0);
   }
   for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) f->laws_changed();
 }

@@ -91,6 +91,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   raceway::HeatPass losses();
   void enter(Stage);
   raceway::HeatPass mean_pass() const;
+  void check_paths() const;
   static void jump_together(const std::vector<FixBearingHeat *> &);
   void jump(const raceway::HeatControl &);
   void write_row(const Row &);
@@ -108,6 +109,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   double ramp_ = 0.0;        // s, end of the load ramp
   int stride_ = 1;           // number of steps between samples
   bigint last_step_ = -1;    // last step that has been started
+  double ahead_ = 0.0;       // s, time step within a step, which now_.since does not yet include
   bool apply_ = false, rewrite_ = false;
   State now_;
   std::vector<FixBearingHeat *> together_;    // all bearings that are heated, including this one

@@ -34,6 +34,7 @@ void FixBearingHeat::go_on()
 void FixBearingHeat::end_of_step()
 {
   now_.since += update->dt;
+  ahead_ = 0.0;
   now_.run += update->dt;
   switch (static_cast<int>(now_.stage)) {
     case WAIT:
@@ -48,10 +49,7 @@ void FixBearingHeat::end_of_step()
     case WATCH:
       if (update->ntimestep % stride_ == 0) {
         const double dt = stride_ * update->dt;
-        const HeatPass p = losses();
-        for (int k = 0; k < heat_inputs; ++k) now_.sum.heat[k] += dt * p.heat[k];
-        now_.sum.inner += dt * p.inner;
-        now_.sum.outer += dt * p.outer;
+        now_.sum.add(losses(), dt);
         now_.summed += dt;
       }
       if (passed(now_.since) && now_.summed > 0.0) now_.stage = READY;
@@ -65,19 +63,30 @@ void FixBearingHeat::end_of_step()
 // Returns the mean values of the last ball pass.
 HeatPass FixBearingHeat::mean_pass() const
 {
-  HeatPass seen = now_.sum;
-  const double share = 1.0 / now_.summed;
-  for (double &one : seen.heat) one *= share;
-  seen.inner *= share;
-  seen.outer *= share;
+  HeatPass seen;
+  seen.add(now_.sum, 1.0 / now_.summed);
   seen.convection = convection();
   return seen;
+}
+
+// Stops with an error if a ring or the balls have lost every path for their heat.
+void FixBearingHeat::check_paths() const
+{
+  const HeatPass seen = mean_pass();
+  HeatNetwork net = network_;
+  net.inner = seen.inner;
+  net.outer = seen.outer;
+  if (net.connected()) return;
+  BRG_ALL(bearing::name_of(*this) + ": during a whole ball pass, no ball of bearing " +
+          bearing_->name + " touched its " + (net.inner > 0.0 ? "outer" : "inner") +
+          " ring, so heat cannot flow between them: load the bearing, or cool it with oil_flow");
 }
 
 // Lets the temperatures of all bearings jump by the same time, the shortest that any of them
 // permits, so that they share one thermal clock. They continue until all of them are steady.
 void FixBearingHeat::jump_together(const std::vector<FixBearingHeat *> &bearings)
 {
+  for (const FixBearingHeat *f : bearings) f->check_paths();
   double length = 0.0, steady = bearings.front()->control_.steady;
   const auto tried = [](const FixBearingHeat *f, const HeatControl &c) {
     HeatState s = f->now_.heat;

@@ -22,10 +22,8 @@ HeatPass FixBearingHeat::losses()
 {
   struct Share {
     bearing::tag_t first, second;
-    double place;                      // index of the groove of a contact; -1 for a contact with a
-                                       // cage
-    double ball, inner, outer, oil;    // W
-    double to_inner, to_outer;         // W/K
+    double place;    // index of the groove of a contact; -1 for a contact with a cage
+    HeatPass of;
   };
   std::vector<Share> shares;
   for (const bearing::RacewayContact &c : pair_->table().raceway) {
@@ -39,32 +37,24 @@ HeatPass FixBearingHeat::losses()
     const double conductance =
         raceway::contact_conductance(k.a * c.state.root, k.b * c.state.root, c.state.entrainment);
     const bool inner = c.side() == raceway::Side::inner;
-    shares.push_back({c.ball, c.ring, double(c.groove()), 0.5 * power, inner ? 0.5 * power : 0.0,
-                      inner ? 0.0 : 0.5 * power, oil, inner ? conductance : 0.0,
-                      inner ? 0.0 : conductance});
+    HeatPass of;
+    of.heat[1] = of.heat[inner ? 0 : 2] = 0.5 * power;
+    of.heat[raceway::heat_nodes] = oil;
+    (inner ? of.inner : of.outer) = conductance;
+    shares.push_back({c.ball, c.ring, double(c.groove()), of});
   }
   bearing::each_cage_loss(
       lmp, *pair_, [&](bearing::tag_t first, bearing::tag_t second, int i, double loss, double) {
         const int type = atom->type[i];
         if (type == bearing_->balls || type == bearing_->cage)
-          shares.push_back({first, second, -1.0, loss, 0.0, 0.0, 0.0, 0.0, 0.0});
+          shares.push_back({first, second, -1.0, {{0.0, loss}}});
       });
   shares = bearing::gather_all(shares, world);
   std::sort(shares.begin(), shares.end(), [](const Share &a, const Share &b) {
     return std::tie(a.first, a.second, a.place) < std::tie(b.first, b.second, b.place);
   });
-  HeatPass sum;
-  for (const Share &s : shares) {
-    sum.heat[0] += s.inner;
-    sum.heat[1] += s.ball;
-    sum.heat[2] += s.outer;
-    sum.heat[raceway::heat_nodes] += s.oil;
-    sum.inner += s.to_inner;
-    sum.outer += s.to_outer;
-  }
-  const double each = 1.0 / bearings_;
-  for (double &one : sum.heat) one *= each;
-  sum.inner *= each;
-  sum.outer *= each;
-  return sum;
+  HeatPass sum, each;
+  for (const Share &s : shares) sum.add(s.of);
+  each.add(sum, 1.0 / bearings_);
+  return each;
 }

@@ -3,8 +3,7 @@
 // their state, performs the substeps and returns the state.
 #include "../core/bodies/alike_bearings.h"
 #include "../core/settings/arguments.h"
-#include "fix_bearing_cage.h"
-#include "fix_bearing_cage_ring.h"
+#include "find_record_layout.h"
 #include "fix_bearing_implicit_solver.h"
 #include "fix_bearing_ring.h"
 #include "fix_bearing_shaft.h"
@@ -32,24 +31,13 @@ void FixBearingImplicit::build()
     all.energy.work += integrator->spent().work;
     all.energy.dissipated += integrator->spent().dissipated;
   }
-  bearing::BearingSources sources;
-  sources.table = &pair_->table();
-  sources.axes.along = pair_->coefficients().axis_index();
-  for (const FixBearingCage *c : bearing::fixes_of<FixBearingCage>(lmp))
-    sources.cages.push_back(&c->rails());
-  for (const FixBearingCageRing *c : bearing::fixes_of<FixBearingCageRing>(lmp))
-    sources.cage_rings.push_back(&c->pockets());
+  bearing::BearingSources sources = bearing::sources_of(lmp, *pair_);
   for (size_t k = 0; k < rings_.size(); ++k)
     for (int i = 0; i < atom->nlocal; ++i)
       if (rings_[k]->moves(i))
         sources.moved.push_back({i, static_cast<int>(k), rings_[k]->own_values(i),
                                  rings_[k]->shaft(), rings_[k]->place_on_shaft(i),
                                  rings_[k]->holder()});
-  sources.is_ring = [this](int type) { return pair_->coefficients().is_ring(type); };
-  sources.is_ball = [this](int type) { return pair_->coefficients().is_ball(type); };
-  sources.raceway = [this](int ball, int ring, int groove) {
-    return pair_->coefficients().raceway(ball, ring, groove);
-  };
   sources.profile = [this](tag_t ring, const raceway::RacewayPhysics *p) {
     return pair_->profiles().of_ring(ring, p);
   };
@@ -60,7 +48,6 @@ void FixBearingImplicit::build()
     sources.turn = [this](int i) -> raceway::Quaternion & { return pair_->state()->turn(i); };
   }
   sources.states = raceway::law_facts(pair_->coefficients().law()).states;
-  sources.motion = [this](int i) -> bearing::RingMotion & { return pair_->state()->ring(i); };
   all.bearings.build(sources, groupbit);
   all.own.clear();
   // A solver stores nothing from earlier steps, so it is reused for any bearing whose law has the

@@ -25,25 +25,26 @@ static constexpr size_t batch_bytes = 1 << 20, most_in_batch = 256;
 
 // A note becomes an attribute of the file. Its name must not be one that scipy's netCDF reader uses
 // internally, because this would break the reader. The name `checksum` is used in the header.
-static void check_note(const Arguments &args, const char *what, const std::string &name)
+static std::string name_of_note(Arguments &args, const std::string &what)
 {
   static const char *const taken[] = {
       "filename",  "fp",    "use_mmap", "mode", "version_byte",    "maskandscale",   "dimensions",
       "variables", "close", "flush",    "sync", "createDimension", "createVariable", "checksum"};
+  const std::string name = args.word(what);
   const bool word = std::isalpha(static_cast<unsigned char>(name[0])) &&
                     std::all_of(name.begin(), name.end(),
                                 [](unsigned char c) { return std::isalnum(c) || c == '_'; });
   if (!word)
-    args.fail(std::string(what) + " is '" + name +
+    args.fail(what + " is '" + name +
               "': it begins with a letter and has letters, digits and '_' only");
   if (std::find(std::begin(taken), std::end(taken), name) != std::end(taken))
-    args.fail(std::string(what) + " is '" + name + "', which readers of netCDF reserve");
+    args.fail(what + " is '" + name + "', which readers of netCDF reserve");
+  return name;
 }
 
 // fix ID group bearing/record N|pass/N FOLDER [content all|summary|none]
 // [contacts all|usual|none|NAME ...] [within M] [single yes|no]
-// [overwrite yes|no] [number NAME VALUE] [goal NAME VALUE]
-// [text NAME VALUE]; for NAME VALUE also NAME=VARIABLE ...
+// [overwrite yes|no] [number NAME VALUE] [text NAME VALUE]
 FixBearingRecord::FixBearingRecord(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/record")),
     command_(bearing::name_of(*this))
@@ -54,9 +55,7 @@ FixBearingRecord::FixBearingRecord(LAMMPS *lmp, int narg, char **arg) :
   read_options(args);
   if (!atom->map_style) args.fail("needs 'atom_modify map array'");
   restart_global = 1;
-  scalar_flag = 1;
-  extscalar = 0;
-  global_freq = 1;
+  bearing::provide_values(*this, 0);
   path_ = (fs::path(folder_) / "record.nc").string();
   check_path();
 }
@@ -100,54 +99,25 @@ void FixBearingRecord::read_options(Arguments &args)
       chosen = true;
       columns_.clear();
     } else if (args.take("number")) {
-      read_notes(args, Note::number);
-    } else if (args.take("goal")) {
-      read_notes(args, Note::goal);
+      const std::string name = name_of_note(args, "name of a number");
+      notes_.push_back({name, args.number(name)});
     } else if (args.take("text")) {
-      read_notes(args, Note::text);
+      const std::string name = name_of_note(args, "name of a text");
+      notes_.push_back({name, args.word(name)});
     } else if (!(args.integer("within", within_, "samples per step", waits() ? 0 : 1, 100000) ||
                  (waits() && args.yes("dumps", dumps_)) || args.yes("single", single_) ||
                  args.yes("overwrite", overwrite_))) {
-      args.unknown("contacts, content, within, single, overwrite, number, goal, text");
+      args.unknown("contacts, content, within, single, overwrite, number, text");
     }
   }
   if (dumps_ && within_ == 0) within_ = 1;    // dumps are written only at the ends of steps
-  if (within_ > 1 && nevery != 1)
-    args.fail("'within' takes samples evenly within every step: N must be 1, not " +
-              std::to_string(nevery));
+  bearing::check_within(args, within_, nevery);
   if (!chosen) bearing::select_columns(args, "usual", offer, columns_);
   // values that are constant over the samples of a contact are stored as coordinates, not as
   // columns
   columns_.erase(std::remove_if(columns_.begin(), columns_.end(),
                                 [](const bearing::ContactColumn *c) { return c->names_it; }),
                  columns_.end());
-}
-
-// Reads either NAME VALUE, or any number of words NAME=VARIABLE, each of which stores the current
-// value of a deck variable.
-void FixBearingRecord::read_notes(Arguments &args, Note kind)
-{
-  const char *what = kind == Note::text ? "name of a text" : "name of a number";
-  do {
-    std::string name = args.word(what), value;
-    const size_t equals = name.find('=');
-    const bool of_deck = equals != std::string::npos;
-    if (of_deck) {
-      std::string variable = name.substr(equals + 1);
-      name.erase(equals);
-      const char *now = input->variable->find(&variable[0]) < 0
-                            ? nullptr
-                            : input->variable->retrieve(&variable[0]);
-      if (!now) args.fail(name + ": there is no variable '" + variable + "' that is one word");
-      value = now;
-    }
-    check_note(args, what, name);
-    if (!of_deck) value = args.word(name);
-    if (kind == Note::text) notes_.push_back({name, value});
-    else notes_.push_back({name, args.number_in(value, name)});
-    notes_.back().changes = kind == Note::goal;
-    if (!of_deck) return;
-  } while (args.more() && args.next().find('=') != std::string::npos);
 }
 
 int FixBearingRecord::setmask() { return END_OF_STEP | POST_RUN; }
@@ -296,10 +266,12 @@ void FixBearingRecord::open()
   content.law = pair_->coefficients().law();
   find_heats();
   content.heat = !heats_.empty();
+  if (content.heat) keep_oil();
   content.spheres = pair_->coefficients().any_spheres() || layout_.pockets();
   bearing::add_deck_notes(lmp, *pair_, layout_, within_, notes_);
   about_ = bearing::record_settings(lmp, *pair_, layout_, notes_,
                                     {nevery * update->dt / within_, start_});
+  if (content.heat) keep_commands();
   content.about = about_;
   std::unique_ptr<RecordFile> file(new RecordFile(layout_, content));
   const size_t batch =
@@ -337,6 +309,26 @@ void FixBearingRecord::find_heats()
         any = true;
       }
   if (any) heats_ = found;
+}
+
+// A continued run has an oil at another temperature, but writes the same header.
+void FixBearingRecord::keep_oil()
+{
+  const bool known = !oil_.empty();
+  size_t place = 0;
+  for (bearing::RecordLayout::Bearing &b : layout_.bearings)
+    for (const int k : {bearing::of_kind::VISCOSITY, bearing::of_kind::PRESSURE_VISCOSITY})
+      if (known) b.of[k] = oil_.at(place++);
+      else oil_.push_back(b.of[k]);
+}
+
+void FixBearingRecord::keep_commands()
+{
+  for (NetcdfHeader::Attribute &a : about_) {
+    if (a.name != "pair_commands") continue;
+    if (commands_.empty()) commands_ = a.words;
+    else a.words = commands_;
+  }
 }
 
 // Before the first step, stops with an error if the folder contains a finished run, unless

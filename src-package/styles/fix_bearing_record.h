@@ -49,16 +49,16 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
 
  private:
   void begin(const bearing::Sampling &) override;
-  enum class Note { number, goal, text };
   void read_rate(bearing::Arguments &);
   void read_options(bearing::Arguments &);
-  void read_notes(bearing::Arguments &, Note);
   void begin_dumps();
   void check_path();
   void check_finished();
   void open();
   void find_integrators();
   void find_heats();
+  void keep_oil();
+  void keep_commands();
   void check_time_step() const;
   void check_step() const;
   void check_flaws() const;
@@ -97,7 +97,11 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   bool allowed_ = false;                                   // true if the folder may be overwritten
   std::vector<class FixBearingImplicit *> integrators_;    // sources of the instants within steps
   std::vector<class FixBearingHeat *> heats_;    // one per bearing or null; empty if all are null
-  bearing::TagSet capacitors_;                   // balls for which a capacitance is computed
+  // If there are heats, the header contains the oil with which the record began: the viscosity and
+  // the pressure-viscosity coefficient for each bearing, and the commands of the pair style.
+  std::vector<double> oil_;
+  std::string commands_;
+  bearing::TagSet capacitors_;    // balls for which a capacitance is computed
 
   bool open_ = false;
   std::unique_ptr<bearing::RecordFile> file_;    // on rank 0 only

@@ -87,13 +87,19 @@ void FixBearingRecord::write_restart(FILE *fp)
   flush();
   if (file_) refuse(file_->file().settle());
   bearing::NumberWriter list;
-  list(samples_, first_step_, start_, last_step_, spent_now(), update->ntimestep);
-  if (comm->me == 0) list.write(fp);
+  list(samples_, first_step_, start_, last_step_, spent_now(), update->ntimestep, oil_.size(),
+       commands_.size(), oil_);
+  if (comm->me == 0) list.write(fp, commands_);
 }
 
 void FixBearingRecord::restart(char *buf)
 {
-  bearing::NumberReader{buf}(samples_, first_step_, start_, last_step_, spent_, left_);
+  bearing::NumberReader list(buf);
+  size_t oils = 0, letters = 0;
+  list(samples_, first_step_, start_, last_step_, spent_, left_, oils, letters);
+  oil_.resize(oils);
+  list(oil_);
+  commands_.assign(list.rest(), letters);
   resumed_ = samples_ > 0.0;
   allowed_ = true;    // the run that wrote the restart file was allowed to overwrite the folder
 }

@@ -92,6 +92,7 @@ void FixBearingRecord::sample_instants()
 // Samples the contacts of the balls of this rank.
 void FixBearingRecord::sample_contacts()
 {
+  bearing::send_velocities(lmp);
   for (const RacewayContact &c : pair_->table().raceway) {
     const int ball = rows_.ball(c.ball);
     if (ball < 0) continue;

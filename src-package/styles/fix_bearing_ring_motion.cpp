@@ -97,6 +97,20 @@ void FixBearingRing::final_integrate()
   reported_ = -1;    // the report may already have been evaluated by a variable within the step
 }
 
+// The coordinates of a ring on which supports act, their rates, and the forces and moments along
+// them.
+struct Held {
+  double moved[RingProgram::SPIN], rate[RingProgram::SPIN], push[RingProgram::SPIN];
+};
+
+static Held held(const RingAtom &r, const Vec3 &f, const Vec3 &m)
+{
+  const Vec3 d = r.x - r.origin, across = r.w - r.e * dot(r.w, r.e);
+  return {{d.x, d.y, d.z, r.tilt[0], r.tilt[1]},
+          {r.v.x, r.v.y, r.v.z, across.x, across.y},
+          {f.x, f.y, f.z, m.x, m.y}};
+}
+
 // Adds the force and moment of the supports after all other forces. The velocities are `half`
 // seconds old.
 void FixBearingRing::hold(double half)
@@ -129,31 +143,24 @@ void FixBearingRing::hold_between(double half)
                       axes_.third(Vec3::from(atom->torque[i]))});
   ends = bearing::gather_all(ends, world);
   std::sort(ends.begin(), ends.end(), [](const End &a, const End &b) { return a.tag < b.tag; });
-  const auto numbers = [](const End &e, double *moved, double *rate, double *push) {
-    const Vec3 d = e.at.x - e.at.origin, across = e.at.w - e.at.e * dot(e.at.w, e.at.e);
-    const double list[] = {d.x,      d.y,      d.z,      e.at.tilt[0], e.at.tilt[1],
-                           e.at.v.x, e.at.v.y, e.at.v.z, across.x,     across.y,
-                           e.push.x, e.push.y, e.push.z, e.moment.x,   e.moment.y};
-    std::copy(list, list + 5, moved);
-    std::copy(list + 5, list + 10, rate);
-    std::copy(list + 10, list + 15, push);
-  };
   const auto holder =
       std::find_if(ends.begin(), ends.end(), [this](const End &e) { return e.tag == holder_; });
   const RingProgram &p = settings_.program, &other = holder_moves_by_->settings_.program;
-  double at[5], rate[5], push[5], all[5] = {};
-  numbers(*holder, at, rate, push);
+  const Held ground = held(holder->at, holder->push, holder->moment);
+  double all[RingProgram::SPIN] = {};
   for (const End &end : ends) {
     if (end.tag == holder_) continue;
-    double moved[5], behind[5], given[5], on[5];
-    numbers(end, moved, behind, given);
+    const Held ring = held(end.at, end.push, end.moment);
+    double on[RingProgram::SPIN];
     for (int k = 0; k < RingProgram::SPIN; ++k) {
-      on[k] = p.free(k) ? verlet_support(p.support[k],
-                                         {true, moved[k], behind[k], given[k], p.inertia_of(k), {}},
-                                         {other.free(k), at[k], rate[k], push[k] + all[k],
-                                          other.inertia_of(k), other.support[k]},
-                                         half)
-                        : 0.0;
+      on[k] = p.free(k)
+                  ? verlet_support(
+                        p.support[k],
+                        {true, ring.moved[k], ring.rate[k], ring.push[k], p.inertia_of(k), {}},
+                        {other.free(k), ground.moved[k], ground.rate[k], ground.push[k] + all[k],
+                         other.inertia_of(k), other.support[k]},
+                        half)
+                  : 0.0;
       all[k] -= on[k];
     }
     add_support(end.tag, on);
@@ -176,14 +183,11 @@ void FixBearingRing::add_support(bearing::tag_t ring, const double *on)
 void FixBearingRing::support_of(const RingProgram &p, const RingAtom &r, const Vec3 &push,
                                 const Vec3 &moment, double half, double *on)
 {
-  const Vec3 d = r.x - r.origin, across = r.w - r.e * dot(r.w, r.e);
-  const double moved[] = {d.x, d.y, d.z, r.tilt[0], r.tilt[1]},
-               rate[] = {r.v.x, r.v.y, r.v.z, across.x, across.y},
-               other[] = {push.x, push.y, push.z, moment.x, moment.y};
+  const Held at = held(r, push, moment);
   for (int k = 0; k < RingProgram::SPIN; ++k)
-    on[k] = p.free(k)
-                ? verlet_support(p.support[k], moved[k], rate[k], other[k], p.inertia_of(k), half)
-                : 0.0;
+    on[k] = p.free(k) ? verlet_support(p.support[k], at.moved[k], at.rate[k], at.push[k],
+                                       p.inertia_of(k), half)
+                      : 0.0;
 }
 
 void FixBearingRing::note_setup()

@@ -23,7 +23,7 @@ FixBearingState::FixBearingState(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(dynamic_cast<bearing::PairHooks *>(lmp->force->pair))
 {
   if (!pair_) BRG_ALL("fix bearing/state needs pair_style bearing/hertz or bearing/ehd before it");
-  restart_peratom = 1;
+  restart_peratom = restart_global = 1;
   create_attribute = 1;
   comm_forward = 5;
   nevery = 10;    // number of steps between checks of the contacts
@@ -117,6 +117,7 @@ void FixBearingState::save_forces()
 void FixBearingState::post_run()
 {
   save_forces();
+  time_.run_done(*update);
   pair_->run_done();
 }
 
@@ -189,6 +190,20 @@ int FixBearingState::unpack_exchange(int i, double *buf)
   bearing::NumberReader list(buf);
   keep(list, per_atom_[i]);
   return list.count();
+}
+
+void FixBearingState::write_restart(FILE *fp)
+{
+  bearing::NumberWriter list;
+  list(bearing::SimulatedTime::of(*update));
+  if (comm->me == 0) list.write(fp);
+}
+
+void FixBearingState::restart(char *buf)
+{
+  bearing::SimulatedTime::State time;
+  bearing::NumberReader{buf}(time);
+  time_.read(*update, time);
 }
 
 int FixBearingState::pack_restart(int i, double *buf)

@@ -6,6 +6,7 @@
 //   ball  contact state, by ring and groove; orientation, if a profile needs it
 //   ring  axis, spin angle, origin, imposed tilt
 //   all   force and torque at the end of a run
+//   run   simulated time
 //
 // The first half kick of the next run, or of a continued run, uses these forces, which are bitwise
 // identical to those of the previous step, instead of forces at full-step velocities.
@@ -19,7 +20,9 @@ FixStyle(bearing/state,FixBearingState)
 #include "../core/numbers/quaternion.h"
 #include "../core/raceway/raceway_physics.h"
 #include "bearing_compat.h"
+#include "simulated_time.h"
 
+#include <utility>
 #include <vector>
 
 namespace bearing {
@@ -72,7 +75,18 @@ class FixBearingState : public Fix {
   {
     return i < atom->nlocal ? comm->me : per_atom_[i].owner;
   }    // rank; for ghosts, as of the last forward_axes()
-  std::vector<PerAtom> &per_atom() { return per_atom_; }
+  // The pair style moves these contents to a new fix, which is the last one again.
+  struct Contents {
+    std::vector<PerAtom> per_atom;
+    bearing::SimulatedTime time;
+  };
+  Contents release() { return {std::move(per_atom_), time_}; }
+  void take(Contents &&of)
+  {
+    per_atom_ = std::move(of.per_atom);
+    time_ = of.time;
+  }
+  void continue_time() const { time_.go_on(*update); }
   // Called by the pair style when it takes over the state, and by its destructor. A pair style that
   // replaces another one takes over the motion of the bodies; its contacts start anew.
   void serve(bearing::PairHooks &pair) { pair_ = &pair; }
@@ -94,6 +108,8 @@ class FixBearingState : public Fix {
   void set_arrays(int) override;
   int pack_exchange(int, double *) override;
   int unpack_exchange(int, double *) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
   int pack_restart(int, double *) override;
   void unpack_restart(int, int) override;
   int size_restart(int) override;
@@ -126,6 +142,7 @@ class FixBearingState : public Fix {
   void hold(int atoms);    // makes room for the states of as many atoms
 
   std::vector<PerAtom> per_atom_;
+  bearing::SimulatedTime time_;
   bearing::PairHooks *pair_;
   double reach_ = 0.0;
   bigint axes_sent_ = -1;    // step in which the axes were last sent

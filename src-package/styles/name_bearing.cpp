@@ -2,6 +2,7 @@
 #include "name_bearing.h"
 
 #include "../core/geometry/cage_ring.h"
+#include "../core/settings/data_table.h"
 #include "../core/settings/usual_cage.h"
 #include "../deck/given_variables.h"
 #include "derive_data.h"
@@ -81,9 +82,10 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
       // the word after an option -v of another program, such as python, is not a variable
       const auto value = bearing::host_variable(lmp, set);
       if (deck.settable.empty() || !value) continue;
-      const std::string wrong = names.count(set) ? bearing::wrong_with(*value)
-                                                 : ": the deck has no such variable, nearest is '" +
-                                                       bearing::nearest(set, names) + "'";
+      const std::string wrong = names.count(set)
+                                    ? bearing::wrong_with(*value)
+                                    : ": the deck has no such variable, nearest is '" +
+                                          bearing::near_first(set, names).front() + "'";
       if (!wrong.empty()) complaint += (complaint.empty() ? "-var " : "; -var ") + set + wrong;
     }
     // variables for later commands are also checked, so that wrong values are detected before the
@@ -156,9 +158,8 @@ void NameBearing::derive(const Arguments &args, NamedBearing &b)
 void NameBearing::set_variables(const NamedBearing &b)
 {
   const auto set = [&](const std::string &name, const std::string &value) {
-    std::string of = b.name + "_" + name, style = "string", text = value;
-    char *words[] = {&of[0], &style[0], &text[0]};
-    input->variable->set(3, words);
+    bearing::pass_words({b.name + "_" + name, "string", value},
+                        [this](int n, char **words) { input->variable->set(n, words); });
   };
   const auto number = [&](const std::string &name, double value) {
     set(name, bearing::digits(value));

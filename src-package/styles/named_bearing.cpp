@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "named_bearing.h"
 
-#include "../deck/find_data.h"
+#include "../core/settings/written.h"
 #include "bearing_compat.h"
 
 namespace bearing {

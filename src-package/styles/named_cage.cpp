@@ -1,43 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "named_cage.h"
 
+#include "../core/settings/model_words.h"
 #include "../core/settings/written.h"
-#include "../deck/find_data.h"
-#include "fix_bearing_ring.h"
-#include "fixes.h"
 #include "pair_bearing.h"
 
 #include <algorithm>
-#include <set>
-#include <sstream>
 
 using namespace LAMMPS_NS;
 
 namespace bearing {
 
-// Returns the contributions to the friction and drag of a cage that are to be left out. In `names`
-// they are joined by +.
-static std::set<std::string> left_out(Arguments &args, const std::string &names)
+// Returns the contributions to the friction and drag of a cage that are to be left out.
+static std::set<std::string> parts_left_out(Arguments &args, const std::string &names)
 {
-  const std::vector<std::string> parts = {"friction", "shear", "film", "land", "churning"};
-  std::set<std::string> out;
-  std::istringstream list(names == "none" ? "" : names);
-  for (std::string name; std::getline(list, name, '+');) {
-    if (std::find(parts.begin(), parts.end(), name) == parts.end())
-      args.fail("cage_without '" + names + "': there is no part '" + name +
-                "'; there is: " + joined(parts) + ", joined by +, or none");
-    out.insert(name);
+  try {
+    return left_out(names, {"friction", "shear", "film", "land", "churning"});
+  } catch (const DataError &wrong) {
+    args.fail(std::string("cage_without: ") + wrong.what());
   }
-  return out;
-}
-
-// Returns true if no ring of the deck tilts or moves along its axis.
-static bool rings_stay_in_plane(LAMMPS *lmp)
-{
-  const auto rings = fixes_of<FixBearingRing>(lmp);
-  return std::none_of(rings.begin(), rings.end(), [](const FixBearingRing *ring) {
-    return ring->moves_axially() || ring->tilts();
-  });
 }
 
 CageSettings named_cage(LAMMPS *lmp, Arguments &args, const NamedBearing &b)
@@ -55,7 +36,7 @@ CageSettings named_cage(LAMMPS *lmp, Arguments &args, const NamedBearing &b)
       if (given(key) == 0.0)
         args.fail("cage_guide " + guide + " needs " + key +
                   ": it describes the land and has no estimate");
-  const std::set<std::string> out = left_out(args, words.at("cage_without"));
+  const std::set<std::string> out = parts_left_out(args, words.at("cage_without"));
   const auto unless_out = [&out](const char *part, double value) {
     return out.count(part) ? 0.0 : value;
   };
@@ -85,7 +66,6 @@ CageSettings named_cage(LAMMPS *lmp, Arguments &args, const NamedBearing &b)
     of.land.width = given("cage_width");
     of.land.lands = 2;
   }
-  cage.planar = rings_stay_in_plane(lmp);
   const auto *pair = dynamic_cast<const PairBearing *>(lmp->force->pair);
   const auto oil = [&](const char *datum) {
     return pair ? std::atof(pair->oil_datum(b.name, datum).c_str()) : 0.0;

@@ -4,7 +4,6 @@
 #include "../core/settings/arguments.h"
 #include "../core/settings/deck_variable_table.h"
 #include "../core/settings/written.h"
-#include "../deck/find_data.h"
 #include "derive_data.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
@@ -19,14 +18,6 @@ using bearing::Arguments;
 using bearing::digits;
 using bearing::NamedBearing;
 using bearing::text;
-
-static std::vector<std::string> words_of(const std::string &line)
-{
-  std::istringstream in(line);
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
-}
 
 // Returns the words of a file of keywords, without its comments.
 static std::string keywords_of(const std::string &text)
@@ -89,9 +80,8 @@ void PairBearing::settings(int narg, char **arg)
   } catch (const bearing::DataError &wrong) {
     args.fail("models " + choice_.models + ", oil " + oil_name_ + ": " + wrong.what());
   }
-  std::vector<char *> words;
-  for (std::string &word : of_style) words.push_back(&word[0]);
-  PairBearingHertz::settings(static_cast<int>(words.size()), words.data());
+  bearing::pass_words(of_style,
+                      [this](int n, char **words) { PairBearingHertz::settings(n, words); });
 }
 
 // Returns the data of an oil at the temperature t (C). For dry contacts, they contain only the word
@@ -213,10 +203,8 @@ void PairBearing::resolve(Coeff &of)
                       : ball + " " + ball + " sphere " + young + " " + poisson + " " + young + " " +
                             poisson + (of.printed ? " printed" : "")};
   for (size_t k = 0; k < 3; ++k) {
-    std::vector<std::string> words = words_of(lines[k]);
-    std::vector<char *> list;
-    for (std::string &w : words) list.push_back(&w[0]);
-    PairBearingHertz::coeff(static_cast<int>(list.size()), list.data());
+    bearing::pass_words(bearing::words_of(lines[k]),
+                        [this](int n, char **words) { PairBearingHertz::coeff(n, words); });
     move_last_command(of.first + k);
   }
 }

@@ -5,8 +5,10 @@
 
 #include "../contacts/instants.h"
 #include "../core/settings/arguments.h"
+#include "../core/settings/written.h"
 #include "citation.h"
 #include "fixes.h"
+#include "simulated_time.h"
 
 #include <algorithm>
 
@@ -110,7 +112,6 @@ void PairBearingHertz::init_style()
   if (!(update->dt >= shortest_step))
     BRG_ALL("timestep is " + text(update->dt) + " s, must be at least " + text(shortest_step) +
             " s; otherwise the time would not advance");
-  time_.go_on(*update);
   comm->ghost_velocity = 1;
   BRG_REQUEST_HALF();
   const bearing::TypeSizes sizes = type_sizes();
@@ -142,18 +143,19 @@ void PairBearingHertz::put_state_last()
 {
   const int at = modify->find_fix(FixBearingState::fixed_id);
   if (at < 0 || at != modify->nfix - 1) {
-    std::vector<FixBearingState::PerAtom> kept;
+    FixBearingState::Contents kept;
     if (at >= 0) {
-      kept = std::move(dynamic_cast<FixBearingState *>(modify->fix[at])->per_atom());
+      kept = dynamic_cast<FixBearingState *>(modify->fix[at])->release();
       modify->delete_fix(FixBearingState::fixed_id);
     }
     const char *words[3] = {FixBearingState::fixed_id, "all", "bearing/state"};
     modify->add_fix(3, const_cast<char **>(words));
     if (at >= 0)
-      dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1])->per_atom() = std::move(kept);
+      dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1])->take(std::move(kept));
   }
   state_ = dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1]);
   state_->serve(*this);
+  state_->continue_time();
   if (new_style_ && at >= 0) {
     if (state_->has_another_axis())
       BRG_ALL(std::string("pair_style: axis is ") + "xyz"[coefficients_.axis_index()] +
@@ -271,11 +273,11 @@ double PairBearingHertz::init_one(int i, int j)
   return cut;
 }
 
-// Writes the commands, followed by the simulated time.
+// Writes the commands, followed by the simulated time, which a deck may use before its next run.
 void PairBearingHertz::write_restart(FILE *fp)
 {
   bearing::write_commands(fp, commands_);
-  const bearing::SimulatedTime::State time = bearing::SimulatedTime::of(*update);
+  const double time = bearing::SimulatedTime::now(*update);
   fwrite(&time, sizeof time, 1, fp);
 }
 
@@ -285,18 +287,16 @@ void PairBearingHertz::read_restart BRG_READ_RESTART_SIG
   bearing::Commands commands;
   const std::string wrong = bearing::read_commands(fp, world, commands);
   if (!wrong.empty()) BRG_ALL("pair_style bearing: " + wrong);
-  for (auto &words : commands) {
-    std::vector<char *> arg;
-    for (std::string &w : words) arg.push_back(&w[0]);
-    const int narg = static_cast<int>(arg.size());
-    if (&words == &commands.front()) settings(narg, arg.data());
-    else coeff(narg, arg.data());
-  }
-  bearing::SimulatedTime::State time;
+  for (const auto &words : commands)
+    bearing::pass_words(words, [&](int narg, char **arg) {
+      if (&words == &commands.front()) settings(narg, arg);
+      else coeff(narg, arg);
+    });
+  double time;
   if (comm->me == 0 && fread(&time, sizeof time, 1, fp) != 1)
     BRG_ONE(std::string("pair_style bearing: ") + bearing::CUT_OR_DAMAGED);
   MPI_Bcast(&time, sizeof time, MPI_BYTE, 0, world);
-  time_.read(*update, time);
+  bearing::SimulatedTime::set(*update, time);
 }
 
 double PairBearingHertz::memory_usage()

@@ -16,7 +16,6 @@ PairStyle(bearing/hertz,PairBearingHertz)
 #include "../ranks/ring_sum.h"
 #include "contact_evaluator.h"
 #include "fix_bearing_state.h"
-#include "simulated_time.h"
 
 #include <set>
 
@@ -121,7 +120,6 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   [[noreturn]] void lost(const bearing::RacewayContact &);
   [[noreturn]] void far_side(const bearing::RacewayContact &);
 
-  bearing::SimulatedTime time_;
   bearing::PairCoefficients coefficients_;
   bearing::SurfaceProfiles profiles_;
   bearing::Commands commands_;                  // commands read so far, which are repeated after a

@@ -32,7 +32,6 @@ void PairBearingHertz::run_done()
 {
   validity_.look(table_, atom->mask, coefficients_.lubricated());
   validity_.report(lmp, capacitors_);
-  time_.run_done(*update);
 }
 
 void PairBearingHertz::add_capacitor(int groupbit, const raceway::CapacitorModel &model)

@@ -3,7 +3,6 @@
 
 #include "../core/settings/raceway_version.h"
 #include "../core/settings/written.h"
-#include "../deck/find_data.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_implicit.h"
 #include "fix_bearing_profile.h"

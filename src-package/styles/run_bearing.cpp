@@ -235,7 +235,7 @@ void RunBearing::settle()
   } else if (now().begin_steps == 0.0) {
     settle_adaptively();
   }
-  if (now().steps == 0.0 || settings_.orbit) now().coarse = now().may_be_coarse;
+  if (now().passes == 0.0) now().coarse = now().may_be_coarse;
   choose_steps();
   warm_up();
   if (automatic()) settle_until_still();
@@ -289,16 +289,17 @@ void RunBearing::settle_adaptively()
 // Runs ball pass by ball pass until the temperatures of the fixes bearing/heat no longer change.
 void RunBearing::warm_up()
 {
+  if (automatic() && now().steps != 0.0) return;    // the temperatures no longer change
   const std::vector<FixBearingHeat *> heats = bearing::fixes_of<FixBearingHeat>(lmp);
   const auto still = [&heats] {
     return std::all_of(heats.begin(), heats.end(), [](const auto *f) { return f->still(); });
   };
-  if (still()) return;
-  set_step(now().step_length);
+  const auto done = [this] { return static_cast<double>(update->ntimestep) - now().begin_steps; };
   const double steps = steps_a_pass();
-  while (!still()) {    // in whole ball passes, even if the run was stopped during one
-    const double passes =
-        std::floor((static_cast<double>(update->ntimestep) - now().begin_steps) / steps) + 1.0;
+  while (!still() || std::fmod(done(), steps) != 0.0) {    // in whole ball passes, even if the run
+                                                           // was stopped during one
+    set_step(now().step_length);
+    const double passes = std::floor(done() / steps) + 1.0;
     execute("run " + digits(now().begin_steps + passes * steps) + " upto post no");
   }
   if (automatic()) now().begin_steps = static_cast<double>(update->ntimestep);

@@ -55,6 +55,7 @@ class RunBearing : public bearing::CommandBase {
   void plan_coarse();
   void plan_pass();
   void choose_steps();
+  bool within_pass();
   bool still();
   bool rests_are_small();
   void say_pass();

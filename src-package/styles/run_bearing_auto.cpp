@@ -37,7 +37,7 @@ void RunBearing::settle_until_still()
   const double steps = steps_a_pass();
   now().steps = steps;
   now().first_step = now().begin_steps;
-  while (!still() && now().passes < settings_.limit) {
+  while (within_pass() || (!still() && now().passes < settings_.limit)) {
     const bool searches = fix_->orbit().runs();
     plan_pass();
     choose_steps();
@@ -73,6 +73,12 @@ void RunBearing::choose_steps()
   const double correction = fix_->orbit().runs() ? 1e-8 : 1e-9;    // m
   for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
     f->coarse(now().coarse != 0.0 ? correction : 0.0);
+}
+
+// Returns true if a stopped run continues within a ball pass, whose end decides what follows.
+bool RunBearing::within_pass()
+{
+  return static_cast<double>(update->ntimestep) > now().begin_steps + now().passes * now().steps;
 }
 
 bool RunBearing::still()

@@ -82,14 +82,9 @@ def counts():
 
 
 def spent(tree, deck, variables, steps, instructions):
-    """Run a deck of this folder, and return (seconds, instructions or None)."""
-    return program(tree, f"tests/bench/{deck}", {**variables, "steps": steps}, instructions)
-
-
-def program(tree, deck, variables, instructions):
-    """Run the LIGGGHTS of a tree inside that tree; return (user seconds, instructions or None)."""
-    words = [str(tree / "build/liggghts"), "-in", str(deck), "-log", "none"]
-    for name, value in variables.items():
+    """Run a deck of this folder in a tree; return (user seconds, instructions or None)."""
+    words = [str(tree / "build/liggghts"), "-in", f"tests/bench/{deck}", "-log", "none"]
+    for name, value in {**variables, "steps": steps}.items():
         words += ["-var", name, str(value)]
     with tempfile.NamedTemporaryFile("r") as report:
         if instructions:

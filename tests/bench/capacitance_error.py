@@ -12,9 +12,12 @@ import sys
 from typing import NamedTuple
 
 import numpy as np
-from machine import csv_table, publish
-from raceway import capacitance, capacitance_exact, capacitance_outside, groove_width, hertz
+from machine import ROOT, csv_table, publish
+from raceway import capacitance, capacitance_outside, groove_width, hertz
 from raceway.theory.bearing import INNER, OUTER, Bearing
+
+sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
+from references import capacitance_integral  # noqa: E402
 
 SIZES = {"12.6 mm": 60.6e-3, "7.938 mm": 39.04e-3, "3.968 mm": 15e-3}  # {ball: pitch diameter (m)}
 CONFORMITIES = (0.505, 0.51, 0.52, 0.53, 0.54)
@@ -88,8 +91,8 @@ def errors(size: str, conformity: float, raceway: int) -> Errors:
         pressed = capacitance.permittivity(PERMITTIVITY, 1.5 * load / (np.pi * a * b))
         plates = pressed * np.pi * a * b / SEPARATIONS
         form = capacitance_outside.loaded(ellipse, modulus, r_x, load, SEPARATIONS, around)
-        groove = capacitance_exact.arc(one, raceway, load, SEPARATIONS, depth)
-        plane = capacitance_exact.parabola(r_x, r_y, modulus, load, SEPARATIONS, around.near)
+        groove = capacitance_integral.arc(one, raceway, load, SEPARATIONS, depth)
+        plane = capacitance_integral.parabola(r_x, r_y, modulus, load, SEPARATIONS, around.near)
         off = [
             float(np.abs((form - exact) / (plates / PERMITTIVITY + exact)).max())
             for exact in (groove, plane)
@@ -109,7 +112,7 @@ def _rigid(one, raceway, r_x, depth, widths, gaps):
     form = capacitance_outside.rigid(
         ellipse, r_x, one.ball_radius, one.groove(raceway), gaps, widths
     )
-    return float(np.abs(form / capacitance_exact.rigid_arc(one, raceway, gaps, depth) - 1).max())
+    return float(np.abs(form / capacitance_integral.rigid_arc(one, raceway, gaps, depth) - 1).max())
 
 
 def row(size: str, conformity: float, raceway: int, found: Errors) -> tuple[str, ...]:

@@ -61,7 +61,6 @@ def losses():
     path = HERE / "bearing"
     scene = heat_scene.Scene(
         inputs.bearing(path),
-        None,
         inputs.lubricant(ROOT / "inputs/lubricants" / OIL),
         1e-7,
         LOAD,

@@ -1,27 +1,21 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Measure the cost of a step of fix bearing/implicit as a function of the features used and the
-number of balls, and the cost of each part of a step. Write build/bench/implicit_cost.rst.
+number of balls. Write build/bench/implicit_cost.rst.
 
 Every round runs all scenes; ratios and differences are formed within each round. The page lists
-their medians and ranges. If Debian's linux-perf is installed, `perf record` measures the cost of
-the parts of a step.
+their medians and ranges.
 """
 
 import re
-import shutil
-import subprocess
-import tempfile
 from math import log, pi, sin
-from pathlib import Path
 
-from deck_runs import ROOT, command, nanoseconds, run_deck
+from deck_runs import nanoseconds, run_deck
 from machine import csv_table, publish, spread
 
 ROUNDS = 5
 BALLS = 9
 STEPS = 20_000
 PLAIN = "tolerance 1e-7 order"
-DECK = "tests/bench/in.implicit_cost"
 SCENES = [  # name, variables of in.implicit_cost, index of the scene to compare with (or None)
     (
         "dry: 9 balls, two raceways, friction, free ring; order 1",
@@ -73,11 +67,6 @@ Feature by feature
 The surroundings of a ball cost {end} ns per sample at the end of a step, with or without contact.
 At ten instants within the step they cost {instants} ns.
 
-Part by part
-------------
-
-{parts}
-
 Cost against number of balls
 ----------------------------
 
@@ -92,29 +81,8 @@ is proportional to the number of balls. Part of the host's step does not depend 
 
 {machine}
 """
-PROFILED = """\
-All features are on, with order 2 and the capacitance at 10 instants per step. The fractions refer
-to the processor time of a long run (perf record).
-"""
 HOST = ("the host's own step, 20 free particles", dict())
 ROWS = (9, 18, 36)
-# patterns of symbols in the profile, in the order in which they are tried
-PARTS = [
-    ("contact forces and derivatives", r"BearingForces::(\w*raceways|evaluate)"),
-    ("cage rails", "BearingForces::rails"),
-    ("cage contacts", "BearingForces::pockets"),
-    ("linear solve", "BearingSystem::|BearingIntegrator::(solve_stage|apply)|DenseLU|LinkChain"),
-    (
-        "motion of bodies and rings",
-        "BearingIntegrator::|BearingBodies::|raceway::moved|raceway::between|rotate",
-    ),
-    ("contacts at instants within the step", "BearingInstants::"),
-    ("contact table of the host's step", "PairBearing"),
-    ("capacitance, ring and cage fixes", "FixBearing|bearing::"),
-    ("exp, log, memory", "libm|libc"),
-    ("the host", "LAMMPS_NS|liblig"),
-    ("other", ""),
-]
 
 
 def measure(name, variables):
@@ -142,31 +110,6 @@ def wide(balls):
     )
 
 
-def profile():
-    """Return the fraction of the cost of a step for each part, or None if perf is not available."""
-    if not shutil.which("perf"):
-        return None
-    with tempfile.TemporaryDirectory() as folder:
-        data = Path(folder) / "perf.data"
-        variables = dict(SCENES[4][1], control=f"{PLAIN} 2", steps=10 * STEPS)
-        subprocess.run(
-            ["perf", "record", "-q", "-o", data, *command(DECK, **variables)],
-            cwd=ROOT,
-            capture_output=True,
-            check=False,
-        )
-        text = subprocess.run(
-            ["perf", "report", "-i", data, "--no-children", "--sort", "dso,symbol", "--stdio"],
-            capture_output=True,
-            text=True,
-            check=False,
-        ).stdout
-    shares = dict.fromkeys((name for name, _ in PARTS), 0.0)
-    for share, what in re.findall(r"^\s+([\d.]+)%\s+(.+)$", text, re.M):
-        shares[next(name for name, pattern in PARTS if re.search(pattern, what))] += float(share)
-    return shares if sum(shares.values()) > 50 else None
-
-
 def main():
     rounds = []
     for number in range(ROUNDS):
@@ -188,11 +131,6 @@ def main():
         inside = (f"{value:.2f}" for value in scenes[0][k][1:])
         body.append((name, spread(times, ".0f"), added, *inside))
     around = [[(r[w][0] - r[p][0]) / (BALLS * n) for r in scenes] for p, w, n in AROUND]
-    shares = profile()
-    parts = ["Not measured, because perf was not installed.", ""]
-    if shares:
-        found = [(name, f"{share:.1f}") for name, share in shares.items()]
-        parts = [*PROFILED.splitlines(), "", *csv_table(("part", "fraction (%)"), found)]
     ns = {balls: [r[k][0] / r[k][1] / r[k][2] for r in rows] for k, balls in enumerate(ROWS)}
     sizes = [
         (
@@ -214,7 +152,6 @@ def main():
         features=csv_table(FEATURES, body),
         end=spread(around[0], ".0f"),
         instants=spread(around[1], ".0f"),
-        parts=parts,
         sizes=csv_table(SIZES, sizes),
         order=spread(orders, ".2f"),
     )

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Measure the cost of many bearings in one box, on one rank and on two ranks, and write
-build/bench/many.rst, which includes a model for clusters.
+build/bench/many.rst.
 
     .venv/bin/python tests/bench/many.py [ROUNDS] [--print]     --print: do not write the page
 
@@ -35,17 +35,9 @@ INTEGRATORS = {
     "implicit": {"step": 2.5e-4, "steps": (70_000, 140), "settle": 2e-2},
 }
 ALIKE = {"fleet": "alike", "lubricant": "mineral", "models": "paper", "record": "none"}
-RANKS = (100, 1000, 10_000)
-FLEETS = (10_000, 100_000, 1_000_000)
-LATENCY, BANDWIDTH = 2e-6, 1e10  # s and bytes/s, typical values for a cluster; not measured here
-# s, time to pack and unpack a ghost, assumed to be about the time of a copy from outside the cache;
-# not measured here
-PACK = 20e-9
-GHOST_BYTES = 72  # position, velocity, spin
 HEADS = (
     *("integrator", "bearing-step, one bearing (µs)", f"bearing-step, {MANY} bearings (µs)"),
     *("ratio (at most 1.3)", "efficiency (at least 0.8)", "memory per bearing (kB)"),
-    "ghost atoms per bearing along a cut",
 )
 PAGE = """\
 ``inputs/in.many`` was run with {many} identical 6208 bearings in a square grid, each under 5 kN at
@@ -76,34 +68,15 @@ Setup time on one rank: {set_ups}. Each ``create_bearing`` command adds its atom
 which is rebuilt after every thousand atoms. The command still searches for the largest tag on its
 rank, which takes about a nanosecond for every few atoms.
 
-Clusters: a model
------------------
+Larger runs
+-----------
 
 All ranks communicate with each other only in two cases: when neighbour lists are checked, and for
-output. Otherwise, a rank computes its bearings and exchanges messages with its neighbours, of which
-there are four in a plane grid. With :math:`n = N/P` bearings per rank, the time per host step is
-
-.. math::
-
-   t = n\\,c + 4 L + 4 \\sqrt{{n}}\\, g\\, (b/B + p)
-
-Two quantities are measured: the cost :math:`c` per host step of a bearing among many, and the
-number :math:`g` of ghost atoms per bearing along a cut. Three quantities are assumed: the latency
-:math:`L` = {latency:.0f} µs, the bandwidth :math:`B` = {bandwidth:.0f} GB/s, and the time
-:math:`p` = {pack:.0f} ns to pack and unpack a ghost. A ghost has :math:`b` = {ghost_bytes} bytes
-(position, velocity, spin). A bearing on a cut requires one or two additional short messages in both
-directions: for the sums over its ring and, with the implicit step, for the state of its bodies.
-
-{fleets}
-
-Limits of the model
--------------------
+output. Otherwise, a rank computes its bearings and exchanges messages with its neighbours.
 
 - Ranks are assigned equal volumes. If the cost differs between bearings (the implicit step refines
   some more than others), the slowest rank determines the speed. A grid that cannot be divided
   evenly among the ranks also increases the cost.
-- The model assumes that messages within a rank cost nothing and that every bearing costs the same.
-  A network that is shared with other jobs is slower.
 - After every new neighbour list, each rank sends the sizes of its messages, a few bytes for each
   rank, to every other rank. With the implicit step this happens every few host steps; with Verlet,
   every few thousand steps.
@@ -120,9 +93,8 @@ Limits of the model
 
 
 def run(ranks, steps, folder, **variables):
-    """Return the results of one run of in.many: the wall times (s) of all loops, of a bearing-step
-    and of the host's part of a bearing-step; and per rank, the memory (kB) and the number of
-    ghosts."""
+    """Return the results of one run of in.many: the wall times (s) of a bearing-step and of all
+    loops, and the memory (kB)."""
     implicit = variables["integrator"] == "implicit"
     settle = INTEGRATORS[variables["integrator"]]["settle"]
     deck = folder / "in.bench"
@@ -150,16 +122,10 @@ def run(ranks, steps, folder, **variables):
     if process.returncode:
         sys.exit(f"failed: {' '.join(words)}\n{text[-2000:]}")
     loops = [float(number) for number in re.findall(r"Loop time of (\S+) on", text)]
-    ghosts = [float(number) for number in re.findall(r"Nghost:\s+(\S+) ave", text)]
-    host_steps = steps * variables["bearings"]
-    made = float(re.search(r"internal steps (\S+)$", text, re.M)[1]) if implicit else host_steps
-    return {
-        "cost": loops[-1] / made,
-        "made": made / host_steps,
-        "loops": sum(loops),
-        "memory": usage.ru_maxrss,
-        "ghosts": ghosts[-1],
-    }
+    made = steps * variables["bearings"]
+    if implicit:
+        made = float(re.search(r"internal steps (\S+)$", text, re.M)[1])
+    return {"cost": loops[-1] / made, "loops": sum(loops), "memory": usage.ru_maxrss}
 
 
 def state(ranks, folder, **variables):
@@ -191,11 +157,9 @@ def measure(rounds, folder):
                 {
                     "single": single["cost"],
                     "many": serial["cost"],
-                    "made": serial["made"],
                     "ratio": serial["cost"] / single["cost"],
                     "efficiency": serial["cost"] / (2 * double["cost"]),
                     "memory": (serial["memory"] - single["memory"]) / (MANY - 1),
-                    "ghosts": double["ghosts"] / columns,
                 }
             )
     return results
@@ -209,50 +173,6 @@ def set_up(folder):
         loops = run(1, 1, folder, bearings=n, columns=math.ceil(math.sqrt(n)), **case)["loops"]
         rows.append((n, time.monotonic() - begin - loops))
     return rows
-
-
-def middle(rows, key):
-    return statistics.median(row[key] for row in rows)
-
-
-def model(seconds, ghosts, fleet, ranks):
-    """Return (seconds per host step, parallel efficiency) for bearings in a square grid that is
-    divided into equal squares, one for each rank."""
-    n = math.ceil(fleet / ranks)
-    work = n * seconds
-    if ranks == 1:
-        return work, 1.0
-    each = 4 * math.sqrt(n) * ghosts  # a rank has ghosts on all four sides
-    talk = 4 * LATENCY + each * (GHOST_BYTES / BANDWIDTH + PACK)
-    return work + talk, fleet * seconds / ranks / (work + talk)
-
-
-def fleets(results):
-    """Return the lines of the page that apply the model to fleets on clusters."""
-    lines = []
-    heads = ["bearings"]
-    heads += [
-        f"{ranks:,} ranks: wall time per host step, per simulated second; efficiency"
-        for ranks in RANKS
-    ]
-    heads.append(f"memory per rank, {min(RANKS):,} to {max(RANKS):,} ranks")
-    for name, got in results.items():
-        c, g = middle(got, "many") * middle(got, "made"), middle(got, "ghosts")
-        step, rows = INTEGRATORS[name]["step"], []
-        lines += [
-            f"{name}: :math:`c` = {c * 1e6:.3g} µs per host step of {step:g} s,"
-            f" :math:`g` = {g:.1f}",
-            "",
-        ]
-        for fleet in FLEETS:
-            row = [f"{fleet:,}"]
-            for ranks in RANKS:
-                t, efficiency = model(c, g, fleet, ranks)
-                row.append(f"{t * 1e6:.3g} µs, {t / step:.3g} s, {efficiency:.2f}")
-            memory = (fleet / of(RANKS) * middle(got, "memory") / 1e6 for of in (min, max))
-            rows.append([*row, "{:.2g} to {:.2g} GB".format(*memory)])
-        lines += csv_table(heads, rows)
-    return lines
 
 
 def main():
@@ -287,8 +207,8 @@ def main():
         each = {key: [one[key] for one in got] for key in got[0]}
         steps = (spread([1e6 * one for one in each[key]]) for key in ("single", "many"))
         ratios = (spread(each[key]) for key in ("ratio", "efficiency"))
-        sizes = f"{middle(got, 'memory'):.0f}", f"{middle(got, 'ghosts'):.1f}"
-        rows.append([name, *steps, *ratios, *sizes])
+        memory = statistics.median(each["memory"])
+        rows.append([name, *steps, *ratios, f"{memory:.0f}"])
     said = {name: "identical" if same else "**different**" for name, same in equal.items()}
     publish(
         "Many bearings",
@@ -298,11 +218,6 @@ def main():
         table=csv_table(HEADS, rows),
         equal="; ".join(f"{name}: {one}" for name, one in said.items()),
         set_ups="; ".join(set_ups),
-        latency=LATENCY * 1e6,
-        bandwidth=BANDWIDTH / 1e9,
-        pack=PACK * 1e9,
-        ghost_bytes=GHOST_BYTES,
-        fleets=fleets(results),
     )
 
 

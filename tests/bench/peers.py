@@ -16,7 +16,7 @@ from importlib.metadata import PackageNotFoundError, version
 
 import numpy as np
 import torus_stl
-from machine import count_asked, publish
+from machine import count_asked, csv_table, publish
 from peer_choice import ALLOWED, Peer, Setting, choose
 from peer_runs import (
     BEARING,
@@ -31,11 +31,9 @@ from peer_runs import (
     SPHERE_ON_PLANE,
     STIFFNESS,
     Failure,
-    Outcome,
     cylinders,
     exact_shift,
     exudyn,
-    host,
     precision,
     raceway,
     tori,
@@ -129,34 +127,11 @@ PEERS = [  # programs whose results converge
         ),
     ),
 ]
-ATTEMPTS = [  # description, function to be called once
-    (
-        "stock LIGGGHTS, a servo that holds 5 kN on a mesh whose surface rotates",
-        lambda: host("liggghts", DECKS / "in.servo", folder=OUT),
-    ),
-    (
-        "stock LIGGGHTS, STL tori, 360 by 16 facets with a step of 1e-6 s",
-        lambda: tori("360x16", 2000, SHARP, step=1e-6),
-    ),
-    (
-        "Exudyn, exponent 1.5, exact stiffness, friction 0.1",
-        lambda: exudyn(BOTH_ALIKE, 1.5, 0.1, 1e-5),
-    ),
-]
-
-
-def attempt(call):
-    """Return a sentence that describes the outcome of a call."""
-    try:
-        found = call()
-    except Failure as failure:
-        return f"stopped: ``{failure}``"
-    if isinstance(found, Outcome):
-        return (
-            f"ran; {found.left} of {BEARING.balls} balls left, load error at the same displacement "
-            f"{percent(found.same_shift)} ({percent(found.low)} to {percent(found.high)})"
-        )
-    return "ran"
+HEADS = (
+    *("model", "step µs", "simulated ms", "cost, with output", "cost, nothing written"),
+    *("error, same displacement", "error, same ring load"),
+)
+TRIED = ("model", "setting", "error relative to the finest", "cost")
 
 
 def percent(part):
@@ -194,21 +169,20 @@ def row(name, outcomes, bare):
             f"{percent(o.same_shift)} ({percent(o.low)} to {percent(o.high)}){lost}",
             percent(o.same_load),
         ]
-    return [f"   * - {name}", *(f"     - {cell}".rstrip() for cell in cells)]
+    return [name, *cells]
 
 
 def tried_rows(peer, choice):
     """Return table rows that list the settings tried for a peer."""
-    lines = []
+    rows = []
     for one in choice.tried:
         worth = f"{one.error:.0e}" if np.isfinite(one.error) else "stopped"
         if np.isfinite(one.cost) and not np.isfinite(one.error):
             worth = "balls lost, or samples at other times"
         price = number(one.cost) if np.isfinite(one.cost) else ""
         words = one.words + (", **chosen**" if one.words == choice.setting.words else "")
-        cells = (peer.name, words, worth, price)
-        lines += [f"   {'*' if k == 0 else ' '} - {cell}".rstrip() for k, cell in enumerate(cells)]
-    return lines
+        rows.append((peer.name, words, worth, price))
+    return rows
 
 
 def exudyn_version():
@@ -218,17 +192,12 @@ def exudyn_version():
         return "not installed"
 
 
-def write(rounds, choices, attempts):
+def write(rounds, choices):
     """Write the page with the text of peers/page.txt; `rounds` maps (name, output) to a list of
     outcomes."""
     names = dict.fromkeys(name for name, _ in rounds)
-    table = [
-        line
-        for name in names
-        for line in row(name, rounds[name, True], rounds.get((name, False), []))
-    ]
-    chosen = [line for peer, choice in zip(PEERS, choices) for line in tried_rows(peer, choice)]
-    tried = [f"- {name}: {end}" for (name, _), end in zip(ATTEMPTS, attempts)]
+    rows = [row(name, rounds[name, True], rounds.get((name, False), [])) for name in names]
+    tried = [row for peer, choice in zip(PEERS, choices) for row in tried_rows(peer, choice)]
     publish(
         "Other programs",
         (ROOT / DECKS / "page.txt").read_text(),
@@ -236,11 +205,10 @@ def write(rounds, choices, attempts):
         exudyn=exudyn_version(),
         load=LOAD,
         speed=SPEED,
-        table=table,
-        chosen=chosen,
+        table=csv_table(HEADS, rows),
+        chosen=csv_table(TRIED, tried),
         finest=[f"- {peer.name}: {peer.finest.words}" for peer in PEERS],
         allowed=ALLOWED,
-        tried=tried,
         shift=exact_shift() * 1e6,
         sphere=SPHERE_ON_PLANE / 1e10,
         inner=STIFFNESS[INNER] / 1e10,
@@ -280,11 +248,7 @@ def main():
                 rounds.setdefault((name, output), []).append(ended)
                 said = ended if isinstance(ended, Failure) else f"{ended.cost:.4g}"
                 print(f"round {number + 1} of {count}: {name}, output {output}: {said}", flush=True)
-    attempts = []
-    for name, call in ATTEMPTS:
-        attempts.append(attempt(call))
-        print(f"{name}: {attempts[-1]}", flush=True)
-    write(rounds, choices, attempts)
+    write(rounds, choices)
 
 
 if __name__ == "__main__":

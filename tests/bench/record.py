@@ -19,10 +19,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from deck_runs import MAIN, ROOT, cost, factor, run_deck
-from machine import count_asked, publish
+from machine import count_asked, csv_table, publish
 
 # {rpm: required real-time factor of the main deck}
 SPEEDS = {47.75: 200.0, 477.5: 20.0, 9549.0: 0.6}
+HEADS = [f"{rpm:g} rpm" for rpm in SPEEDS]
 # output settings of the main deck, with one sample or ten samples per host step
 TEXT = {"record": "none", "dumps": "yes", "within": 1}
 RECORD, NOTHING = ({"record": record, "dumps": "no", "within": 1} for record in ("all", "none"))
@@ -46,19 +47,10 @@ bitwise identical in the first three rows. The values are medians over {rounds} 
 
 The times in the next two tables include writing the last sample to the operating system.
 
-.. list-table:: microseconds per sample, and real-time factor
-   :header-rows: 1
+Microseconds per sample, with the real-time factor in brackets:
 
-   * - output
-{heads}
 {rows}
 
-.. list-table::
-   :header-rows: 1
-
-   * - ratio
-{heads}
-     - required
 {ratios}
 
 The main deck with its defaults is timed both from the start of the measured passes and from the
@@ -67,11 +59,8 @@ start of the program. The latter time includes starting the program, settling an
 {short_wall:.2f} s from the start to the end of the program, including {short_loop:.0f} ms for the
 measured passes. {passes} passes at 477.5 rpm take {long_wall:.2f} s from start to end.
 
-.. list-table:: real-time factor of the measured passes
-   :header-rows: 1
+Real-time factor of the measured passes:
 
-   * - main deck
-{heads}
 {whole}
 
 With a hundred bearings in one box on one rank (:doc:`many`), a run with a record takes {many:.2f}
@@ -147,7 +136,7 @@ def from_start(results):
     for output, passes in ((AS_IT_STANDS, PASSES), (SHORT, SHORT_PASSES)):
         for what, said in (("factor", "measured passes"), ("whole", "start to end of the program")):
             found = [f"{middle(results, rpm, output, what):.3g}" for rpm in SPEEDS]
-            rows.append(row([f"{passes} passes, {said}", *found]))
+            rows.append((f"{passes} passes, {said}", *found))
     return rows
 
 
@@ -173,11 +162,6 @@ def ratios(results):
     ]
 
 
-def row(cells):
-    """Return a row of a list-table as text."""
-    return "\n".join([f"   * - {cells[0]}", *(f"     - {cell}" for cell in cells[1:])])
-
-
 def main():
     """Measure, print the results and write the page."""
     results = measure(count_asked(5))
@@ -187,13 +171,13 @@ def main():
         for rpm in SPEEDS:
             micro = 1e6 * middle(results, rpm, output, "sample")
             cells.append(f"{micro:.1f} ({middle(results, rpm, output, 'factor'):.3g})")
-        rows.append(row(cells))
+        rows.append(cells)
     missed, table = [], []
     for name, found, limit, least in ratios(results):
         limits = sorted({*limit.values()}, reverse=True)
         said = ", ".join(f"{value:g}" for value in limits)
         cells = (f"{found[rpm]:.3g}" for rpm in SPEEDS)
-        table.append(row([name, *cells, f"{'>=' if least else '<='} {said}"]))
+        table.append((name, *cells, f"{'>=' if least else '<='} {said}"))
         missed += [
             f"{name} at {rpm:g} rpm: {found[rpm]:.3g}, required {limit[rpm]:g}"
             for rpm in SPEEDS
@@ -208,14 +192,13 @@ def main():
         text_passes=TEXT_PASSES,
         passes=PASSES,
         rounds=len(results),
-        heads=[f"     - {rpm:g} rpm" for rpm in SPEEDS],
-        rows=rows,
-        whole=from_start(results),
+        rows=csv_table(("output", *HEADS), rows),
+        whole=csv_table(("main deck", *HEADS), from_start(results)),
         short=SHORT_PASSES,
         short_wall=middle(results, 477.5, SHORT, "wall"),
         short_loop=1e3 * middle(results, 477.5, SHORT, "loop"),
         long_wall=middle(results, 477.5, AS_IT_STANDS, "wall"),
-        ratios=table,
+        ratios=csv_table(("ratio", *HEADS, "required"), table),
         many=hundred,
         many_cost=MANY_COST,
     )

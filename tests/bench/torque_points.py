@@ -167,7 +167,7 @@ gyroscopic moment. They skid, so they orbit at 0.54 times the speed of the ring 
 times, and their drag is 2.5 times SKF's. Statics solves for this motion (:doc:`tribology`), and a
 run whose inner ring is held in its plane has the same torque within 0.5 % (153 N mm with a cage
 ring; ``tests/scenarios/test_thrust_motion.py``). In a run whose ring is free in its plane, the
-skidding balls make the ring whirl, and the mean torque is 199 N mm. With Eyring's stress in the
+skidding balls make the ring whirl, and the mean torque is 201 N mm. With Eyring's stress in the
 film (``eyring``) the torque is 133 N mm instead of 147 N mm without the cage's losses, and the mean
 coefficient of friction is 0.002 to 0.01 instead of 0.05. The balls of a 7205B slide only slowly;
 the torque is 16.6 N mm in statics and in a run and 25.3 N mm according to SKF's formula.

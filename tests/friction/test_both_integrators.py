@@ -316,7 +316,7 @@ def test_ranks_and_restarts_to_the_bit(tmp_path, integrator, steps, samples):
 
 def test_step_limit_is_the_spring_s(tmp_path):
     """Two tangential springs act on a ball, so the step limit is 2 sqrt((2/7) m/(2 k_t)), which is
-    5.6 us at 2.4 kN. A step of 4 us is stable at 48, 477.5 and 9549 rpm, where the slip law alone
+    5.2 us at 2.4 kN. A step of 4 us is stable at 48, 477.5 and 9549 rpm, where the slip law alone
     would require steps of 24 ns to 5 us."""
     powers = []
     for speed, substeps in ((5, 25), (50, 25), (1000, 25)):

@@ -39,14 +39,14 @@ MAIN_DECK = {
         {"lubricant": "honey"},
         (
             r"pair_style bearing: there is no 'honey' in folder inputs/lubricants; there is: dry,"
-            r" grease110, mineral, pao48, pao8, vg100, vg32, vg46, vg68"
+            r" mineral, pao48, pao8, vg100, vg32, vg46, vg68, grease110"
         ),
     ),
     "unknown bearing": (
         {"bearing": "9999"},
         (
-            r"bearing: there is no '9999' in folder inputs/bearings; there is: 6000, 6001,"
-            r" 6002, 6003, 6004, 6005, \d+ in all"
+            r"bearing: there is no '9999' in folder inputs/bearings; there is: 6009, 6209,"
+            r" 6309, 6000, 6001, 6002, \d+ in all"
         ),
     ),
     "unknown models": (
@@ -239,7 +239,7 @@ DECKS = {
     ),
     "unknown checkpoint keyword": (
         DRY + "fix k all bearing/checkpoint 10 file wibble 1\n",
-        r"'wibble'; known: restart, resume, last, settings, mean, count, balance, files",
+        r"'wibble'; known: restart, resume, last, balance, files",
     ),
     "unknown grain keyword": (
         DRY + "fix g all bearing/grains wibble 1\n",

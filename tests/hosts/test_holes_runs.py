@@ -221,7 +221,7 @@ run 100
 
 @pytest.mark.parametrize("sanitized", [False, True])
 def test_a_checkpoint_of_nothing_but_the_run(tmp_path, sanitized):
-    """If there are neither counters nor files, nothing is copied from a null pointer."""
+    """If there are no files, nothing is copied from a null pointer."""
     if sanitized and not HOSTS["sanitized"][0].exists():
         pytest.fail("build/sanitized/liggghts is missing: run make sanitized", pytrace=False)
     file = tmp_path / "ck"

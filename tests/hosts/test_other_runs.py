@@ -51,14 +51,14 @@ def test_builds(host, tmp_path):
     whole, mark = kept.read_bytes(), b"Raceway\0"
     at = whole.index(mark)
     number = at + len(mark)
-    assert whole.count(mark) == 1 and whole[number : number + 4] == b"\5\0\0\0"
+    assert whole.count(mark) == 1 and whole[number : number + 4] == b"\6\0\0\0"
     deck.write_text(f"{READ}read_restart {kept}\n")
     for content, cause in (
         (whole[:number] + b"\1" + whole[number + 1 :], "has layout 1 and was written by another"),
         (whole[:at] + whole[number + 4 :], "has no layout number and was written by another build"),
     ):
         kept.write_bytes(content)
-        says = f"pair_style bearing: the restart file {cause}", "this program reads layout 5"
+        says = f"pair_style bearing: the restart file {cause}", "this program reads layout 6"
         refuses(deck, *says, host=host)
     claims = whole[: number + 4] + b"\xff\xff\xff\x7f" + whole[number + 8 :]
     for content in (whole[: number + 8], whole[: number - 2], claims):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Simulated time, and formulas that depend on it, continue across restarts and reset_timestep."""
 
+import re
+
 import numpy as np
 import pytest
 from host import BOX, deck_file, refuses, succeed
@@ -8,10 +10,12 @@ from recorded_runs import small
 from smallest import SMALLEST
 
 STEP = 1e-6
-BEARING = """
+PAIR = """
 pair_style bearing/hertz friction constant 0.1
 pair_coeff 1 3 inner 24.0e-3 6.552e-3
 pair_coeff 1 4 outer 36.6e-3 6.552e-3
+"""
+BEARING = f"""{PAIR}
 create_bearing 1 none 3 4 balls 9 diameter 12.6e-3 speed 50.0 0
 """
 MOVES = """
@@ -31,7 +35,14 @@ TELL = """
 run 0
 print "END $(time) $(f_outer[1]) $(f_inner[1]) $(f_inner[2]) $(f_inner[9]) $(x[4]) $(y[4])"
 """
-READ = "atom_style sphere\natom_modify map array sort 0 0.0\nnewton off\n"
+READ = """
+atom_style sphere
+atom_modify map array sort 0 0.0
+newton off
+read_restart {}
+neighbor 2.0e-3 bin
+neigh_modify delay 0 every 20
+"""
 
 
 def end(tmp_path, host, *parts):
@@ -52,12 +63,27 @@ def test_time_goes_on(host, tmp_path):
     for seam in ("reset_timestep 0\n", "reset_timestep 40000\n"):
         np.testing.assert_allclose(end(tmp_path, host, begin, seam, RUN), whole, **near)
     end(tmp_path, host, begin, f"write_restart {tmp_path}/kept\n")
-    read = (
-        READ + f"read_restart {tmp_path}/kept\nneighbor 2.0e-3 bin\nneigh_modify delay 0 every 20\n"
-    )
+    read = READ.format(tmp_path / "kept")
     np.testing.assert_array_equal(end(tmp_path, host, read, MOVES, RUN), whole)
     found = end(tmp_path, host, read, MOVES, "reset_timestep 0\n", RUN)
     np.testing.assert_allclose(found, whole, **near)
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
+@pytest.mark.parametrize("again", ["", PAIR], ids=["pair style read", "pair style given"])
+def test_a_restart_within_a_run_keeps_the_bits_of_the_time(again, host, tmp_path):
+    """404 steps of 1e-6 s after a time of 500 such steps end 1 ulp later than 904 steps."""
+    assert 500 * STEP + 404 * STEP != 904 * STEP
+    tell = "variable after equal 1.0e20*(time-9.04e-4)\nrun 0\nprint 'END $(v_after)'\n"
+    kept = f"restart 500 {tmp_path}/kept.*\nrun 904\n"
+    times = []
+    for text in (
+        BOX + BEARING + MOVES + kept,
+        READ.format(tmp_path / "kept.500") + again + MOVES + "run 904 upto\n",
+    ):
+        done = succeed(deck_file(tmp_path, text + tell), host=host)
+        times.append(re.search(r"^END (.*)$", done.text, re.M)[1])
+    assert times[0] == times[1]
 
 
 @pytest.mark.parametrize("mode, size", [("x", 4e-5), ("ry", 1e-3)])
@@ -97,8 +123,7 @@ def test_a_driven_ring_whose_speed_jumps(mover, tmp_path):
     deck.write_text(text + f"write_restart {tmp_path}/kept\n")
     succeed(deck)
     other = text[text.index("group balls") :].replace("50*(1", "60*(1")
-    read = f"read_restart {tmp_path}/kept\nneighbor 2.0e-3 bin\nneigh_modify delay 0 every 20\n"
-    deck.write_text(READ + read + other)
+    deck.write_text(READ.format(tmp_path / "kept") + other)
     refuses(deck, says + "10.5")  # the speed changes at the restart
 
 

@@ -7,7 +7,7 @@ import pytest
 from host import ROOT, refuses, run, succeed
 from raceway import core
 from raceway.sweeps.points import deck_variables
-from raceway.sweeps.variable_table import DATA, rows
+from raceway.sweeps.variable_table import DATA, needed, rows
 from scenarios.test_run_bearing import differ
 
 RANGES = {row["name"]: row for row in rows() if row["range"]}
@@ -51,19 +51,14 @@ WHOLE = {
     "usual data": "bearings/7208",
     "oil data": "lubricants/mineral",
 }
-NEEDED = [
-    (kind, row["name"])
-    for row in rows()
-    for kind in sorted(WHOLE.keys() & set(row["of"].split("|")))
-    if not (row["default"] and row["of"].startswith(kind)) and row["name"] != "pocket_play"
-]
+NEEDED = [(kind, name) for kind in WHOLE for name in needed(kind) if name != "pocket_play"]
 NEEDED += [("usual data", "balls"), ("usual data", "ball_diameter")]
 
 
 @pytest.mark.parametrize(("kind", "name"), NEEDED)
 def test_missing(tmp_path, kind, name):
-    """Data without a default must be given, except for the play of a pocket, which is estimated. A
-    default is that of the first kind of data that the table names."""
+    """Data to which no default applies must be given, except for the play of a pocket, which is
+    estimated."""
     file = tmp_path / "mine"
     text = (ROOT / "inputs" / WHOLE[kind]).read_text()
     file.write_text(re.sub(rf"^variable {name} .*\n", "", text, flags=re.M))

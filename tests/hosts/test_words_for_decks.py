@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of deck commands that replace long passages: create_bearing ... groups and resumed,
-bearing_dump, and fix bearing/checkpoint ... balance."""
+"""Tests of deck commands that replace long passages: create_bearing ... groups, bearing_dump,
+and fix bearing/checkpoint ... balance."""
 
 import re
 
@@ -52,20 +52,16 @@ def test_groups(tmp_path, host):
 
 
 @HOSTS
-@pytest.mark.parametrize("resumed", ["no", "yes"])
-def test_one_command_for_new_and_resumed_runs(tmp_path, host, resumed):
+def test_one_command_for_new_and_resumed_runs(tmp_path, host):
     """A run of ten steps gives the same output as a restart file from its middle followed by the
     second half."""
     new = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE
     halves = f"run 5\nwrite_restart {tmp_path}/re\nrun 5\n"
     whole = given(tmp_path, "whole", new + halves + LAST, host=host)
-    if resumed == "no":
-        again = new + "run 10\n"
-    else:
-        begin = BOX[: BOX.index("region")].replace("boundary f f f\n", "")
-        again = begin + f"read_restart {tmp_path}/re\nneighbor 2.0e-3 bin\n"
-        again += "neigh_modify delay 0 every 20 check yes\n"
-        again += f"{CREATE} groups yes resumed {resumed}\n{MOVE}run 5\n"
+    begin = BOX[: BOX.index("region")].replace("boundary f f f\n", "")
+    again = begin + f"read_restart {tmp_path}/re\nneighbor 2.0e-3 bin\n"
+    again += "neigh_modify delay 0 every 20 check yes\n"
+    again += f"{CREATE} groups yes\n{MOVE}run 5\n"
     assert given(tmp_path, "again", again + LAST, host=host) == whole
 
 
@@ -161,17 +157,9 @@ def test_dump_refused(tmp_path, words, says):
     refuses(deck_file(tmp_path, text), "bearing_dump", says)
 
 
-@pytest.mark.parametrize(
-    "words, says",
-    [
-        ("groups maybe", "groups is 'maybe', must be one of: no, yes"),
-        ("resumed 2", "resumed is '2', must be one of: no, yes, 0, 1"),
-        ("resumed yes", "'resumed yes' needs the atoms of a restart file: read_restart must come"),
-    ],
-)
-def test_create_refused(tmp_path, words, says):
-    deck = deck_file(tmp_path, f"{BOX}{RACEWAYS}{CREATE} {words}\n")
-    refuses(deck, "create_bearing", says)
+def test_create_refused(tmp_path):
+    deck = deck_file(tmp_path, f"{BOX}{RACEWAYS}{CREATE} groups maybe\n")
+    refuses(deck, "create_bearing", "groups is 'maybe', must be one of: no, yes")
 
 
 @HOSTS
@@ -180,9 +168,9 @@ def test_balance(tmp_path, host):
     free directions; here only y is free."""
     deck = tmp_path / "in.balance"
     text = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE.replace("x free y free", "y free")
-    text += "".join(f"variable b{k} equal f_inner[{k}]\n" for k in (12, 19))
-    text += f"fix keep all bearing/checkpoint 2 {tmp_path}/re mean v_b12 mean v_b19 balance inner\n"
-    text += 'run 40\nprint "IS $(f_keep) $(f_keep[1]) $(f_keep[2])"\n'
+    text += "fix mean all ave/time 2 20 40 f_inner[12] f_inner[19]\n"
+    text += f"fix keep all bearing/checkpoint 2 {tmp_path}/re balance inner\n"
+    text += 'run 40\nprint "IS $(f_keep) $(f_mean[1]) $(f_mean[2])"\n'
     deck.write_text(text)
     share, force, load = map(
         float, re.findall(r"^IS (.*)$", succeed(deck, host=host).text, re.M)[-1].split()
@@ -196,7 +184,7 @@ def test_balance_of_a_resumed_run(tmp_path):
     begin = BOX + RACEWAYS + CREATE + " groups yes\n"
     again = BOX[: BOX.index("region")].replace("boundary f f f\n", "")
     again += f"read_restart {tmp_path}/re\nneighbor 2.0e-3 bin\n"
-    again += f"neigh_modify delay 0 every 20 check yes\n{CREATE} groups yes resumed yes\n"
+    again += f"neigh_modify delay 0 every 20 check yes\n{CREATE} groups yes\n"
     keep = f"fix keep all bearing/checkpoint 2 {tmp_path}/re last yes balance inner "
     said = []
     for first, words, steps in ((begin, "", 40), (begin, "", 20), (again, "resume yes", 20)):

@@ -9,8 +9,8 @@ from raceway import capacitance_outside, groove_width, hertz
 from raceway.core import laws
 from raceway.theory.bearing import Bearing
 from raceway.theory.groove_width import HalfWidths
+from references import capacitance_integral
 from references import surroundings as reference
-from scipy.special import elliprd, elliprf
 
 SMALL = dict(
     ball_radius=7.938e-3 / 2, pitch_radius=39.04e-3 / 2, groove_radius=0.515 * 7.938e-3, side=OUTER
@@ -18,41 +18,6 @@ SMALL = dict(
 TINY = dict(
     ball_radius=3.968e-3 / 2, pitch_radius=7.5e-3, groove_radius=0.53 * 3.968e-3, side=INNER
 )
-
-
-def quadrature(n):
-    """Return the nodes and weights for integration from 0 to 1."""
-    x, w = np.polynomial.legendre.leggauss(n)
-    return (x + 1) / 2, w / 2
-
-
-def exact_integral(a, b, overlap, load, modulus, r_x, r_y, h, edge):
-    """Return the integral I (m) over the exact Hertz gap outside the ellipse (Carlson's integrals),
-    from -edge to edge across the groove and to infinity along rolling. More nodes change I by
-    3e-8."""
-    x, w = quadrature(16)
-    beside = a * np.sin(x * np.pi / 2), b * np.cos(x * np.pi / 2), w * np.pi / 2 * a
-    beside = beside[0], beside[1], beside[2] * np.cos(x * np.pi / 2)
-    x, w = quadrature(32)
-    top = np.arccosh(edge / a)
-    beyond = a * np.cosh(top * x**2), 0 * x, w * 2 * x * top * a * np.sinh(top * x**2)
-    y, begin, weight = (np.concatenate(part)[:, None] for part in zip(beside, beyond, strict=True))
-    x, w = quadrature(80)
-    film = min(b, np.sqrt(2 * r_x * h))
-    far, start = 2e3 * np.maximum(b, np.sqrt(2 * r_x * h)), 1e-3 * film
-    span = np.log1p(far / start)
-    along = begin + start * np.expm1(span * x**1.5)
-    d_along = start * np.exp(span * x**1.5) * span * 1.5 * np.sqrt(x) * w
-    p = along**2 + y**2 - a**2 - b**2
-    q = (a * b) ** 2 - (along * a) ** 2 - (y * b) ** 2
-    root = np.maximum((p + np.sqrt(np.maximum(p * p - 4 * q, 0))) / 2, 0)
-    A, B = root + a * a, root + b * b
-    bend = 2 * elliprf(root, A, B)
-    bend -= 2 / 3 * (along**2 * elliprd(root, A, B) + y**2 * elliprd(root, B, A))
-    gap = along**2 / (2 * r_x) + y**2 / (2 * r_y) - overlap
-    gap += 1.5 * load / (np.pi * modulus) * bend
-    strips = (d_along / (h + gap)).sum(axis=1) + 2 * r_x / (begin[:, 0] + far)
-    return 4 * (strips * weight[:, 0]).sum()
 
 
 @pytest.mark.parametrize("size", [{}, SMALL, TINY], ids=["12.6 mm", "7.9 mm", "4.0 mm"])
@@ -74,7 +39,7 @@ def test_total_over_the_range_of_the_closed_form(physics, size, side, conformity
         overlap = (load / derived.K) ** (2 / 3)
         a, b = derived.a * np.sqrt(overlap), derived.b * np.sqrt(overlap)
         for h in (20e-9, 200e-9, 2e-6):
-            exact = exact_integral(a, b, overlap, load, modulus, r_x, r_y, h, edge)
+            exact = capacitance_integral.parabola(r_x, r_y, modulus, load, h, edge)
             found = capacitance_outside.loaded(ellipse, modulus, r_x, load, h, widths)
             assert abs(found - exact) < 0.015 * (np.pi * a * b / h + exact), (load, h)
 

@@ -5,7 +5,16 @@ of the power loss with linear programming."""
 import numpy as np
 import pytest
 from bearings import B6208
-from raceway import ball_motion, catalogue, friction_torque, hertz, inputs, lubrication, static
+from raceway import (
+    ball_motion,
+    catalogue,
+    contact_friction,
+    friction_torque,
+    hertz,
+    inputs,
+    lubrication,
+    static,
+)
 from raceway.theory.bearing import INNER, OUTER
 from scipy.optimize import linprog
 
@@ -80,7 +89,7 @@ def test_four_points_lose_little_more_than_their_spin(law):
     oil, fluid = inputs.oil(path), inputs.fluid(path)
     films = lubrication.lubricate(FOUR, state, oil, RING, -20e-6)
     orbit = lubrication.orbit(FOUR, state, RING)
-    surfaces = friction_torque.Surfaces(film=0.05, boundary=0.05)
+    surfaces = contact_friction.Surfaces(film=0.05, boundary=0.05)
     lost = friction_torque.losses(
         FOUR, state, films, fluid, RING, orbit, clearance=-20e-6, surfaces=surfaces, spin_law=law
     )

@@ -7,9 +7,11 @@ import sys
 import numpy as np
 import pytest
 from host import ROOT
-from raceway import capacitance, capacitance_exact, capacitance_outside, groove_width, hertz
+from raceway import capacitance, capacitance_outside, groove_width, hertz
+from raceway.core import laws
 from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.groove_width import HalfWidths
+from references import capacitance_integral
 
 sys.path.insert(0, str(ROOT / "tests/bench"))
 import capacitance_error  # noqa: E402  the module is not in a package
@@ -50,13 +52,13 @@ def rigid(bearing, raceway, separation, widths, angle=0.0):
 def test_printed_integrals(bearing, name, raceway, width, load, a, b, printed):
     one = {"6208": bearing, "middle": MIDDLE, "small": SMALL}[name]
     r_x, r_y = one.effective_radii(raceway)
-    contact = capacitance_exact.contact(r_x, r_y, one.effective_modulus, load)
+    contact = capacitance_integral.contact(r_x, r_y, one.effective_modulus, load)
     assert (1e3 * contact.a, 1e3 * contact.b) == (
         pytest.approx(a, abs=6e-5),
         pytest.approx(b, abs=6e-6),
     )
     width *= 1e-3
-    found = 1e3 * capacitance_exact.parabola(
+    found = 1e3 * capacitance_integral.parabola(
         r_x, r_y, one.effective_modulus, load, SEPARATIONS, width
     )
     assert found == pytest.approx(printed, rel=5e-5, abs=0.06)
@@ -76,7 +78,7 @@ def test_circular_groove(bearing, raceway, width, integral, form):
     assert edge == pytest.approx(0.8946, abs=6e-5)
     widths = groove_width.half_widths(bearing, raceway, DEPTH)
     assert [1e3 * width for width in widths] == pytest.approx([width, width], abs=6e-4)
-    found = 1e3 * capacitance_exact.arc(bearing, raceway, 900.0, SEPARATIONS, DEPTH)
+    found = 1e3 * capacitance_integral.arc(bearing, raceway, 900.0, SEPARATIONS, DEPTH)
     assert found == pytest.approx(integral, abs=1.0)  # one unit in the last printed digit
     assert 1e3 * closed(bearing, raceway, 900.0, SEPARATIONS, widths) == pytest.approx(
         form, abs=0.06
@@ -89,7 +91,7 @@ def test_circular_groove(bearing, raceway, width, integral, form):
 )
 def test_rigid_gap(bearing, raceway, printed):
     gaps = np.array([0.3e-6, 3e-6, 12e-6, 40e-6])
-    found = 1e3 * capacitance_exact.rigid_arc(bearing, raceway, gaps, DEPTH)
+    found = 1e3 * capacitance_integral.rigid_arc(bearing, raceway, gaps, DEPTH)
     assert found == pytest.approx(printed, abs=0.06)
     widths = groove_width.half_widths(bearing, raceway, DEPTH)
     form = 1e3 * rigid(bearing, raceway, gaps, widths)
@@ -105,36 +107,36 @@ def test_rigid_gap_of_concentric_circles(bearing):
     widths = groove_width.half_widths(one, OUTER, 0.18 * one.ball_diameter)
     near = rigid(one, OUTER, gap * np.array([0.999, 1.0, 1.001]), widths)
     assert np.diff(near, 2) == pytest.approx(0, abs=2e-6 * near[1])
-    exact = capacitance_exact.rigid_arc(one, OUTER, gap, 0.18 * one.ball_diameter)
+    exact = capacitance_integral.rigid_arc(one, OUTER, gap, 0.18 * one.ball_diameter)
     assert near[1] == pytest.approx(exact, rel=0.01)
 
 
 def test_beside_is_universal():
     ratio = np.array([1e-3, 1e-2, 0.1, 1, 10, 100, 1e3])
     printed = (33.816, 14.909, 6.2766, 2.4636, 0.89114, 0.30126, 0.097902)
-    assert capacitance_exact.beside(ratio) == pytest.approx(printed, rel=3e-5)
-    assert capacitance_outside.beside(ratio) == pytest.approx(printed, rel=2e-3)
+    assert capacitance_integral.beside(ratio) == pytest.approx(printed, rel=3e-5)
+    assert laws.gap_beside(ratio) == pytest.approx(printed, rel=2e-3)
     thin, thick = 1e-12, 1e8
-    assert capacitance_outside.beside(thin) == pytest.approx(3.5501 * thin ** (-1 / 3), rel=2e-3)
-    assert capacitance_outside.beside(thick) == pytest.approx(np.pi / thick**0.5, rel=2e-3)
+    assert laws.gap_beside(thin) == pytest.approx(3.5501 * thin ** (-1 / 3), rel=2e-3)
+    assert laws.gap_beside(thick) == pytest.approx(np.pi / thick**0.5, rel=2e-3)
 
 
 def test_gap_is_hertz_s(bearing):
     """The gap is zero at the edge of the ellipse, approaches the gap between the undeformed bodies
     far away from it, and equals the gap of a line contact in between."""
     r_x, r_y = bearing.effective_radii(INNER)
-    one = capacitance_exact.contact(r_x, r_y, bearing.effective_modulus, 900.0)
+    one = capacitance_integral.contact(r_x, r_y, bearing.effective_modulus, 900.0)
     turn = np.linspace(0, np.pi / 2, 7)
-    edge = capacitance_exact.gap(one, one.b * np.cos(turn), one.a * np.sin(turn))
+    edge = capacitance_integral.gap(one, one.b * np.cos(turn), one.a * np.sin(turn))
     assert np.abs(edge).max() < 1e-9 * one.overlap
     far = 200 * one.a
     undeformed = far**2 / (2 * r_x) - one.overlap
-    assert capacitance_exact.gap(one, far, 0.0) == pytest.approx(undeformed, rel=1e-6)
+    assert capacitance_integral.gap(one, far, 0.0) == pytest.approx(undeformed, rel=1e-6)
     # for a long ellipse with the same b: g = b^2/(2 R_x) (xi sqrt(xi^2 - 1) - arccosh xi)
-    long = capacitance_exact.contact(r_x, 4e4 * r_x, bearing.effective_modulus, 1e6)
+    long = capacitance_integral.contact(r_x, 4e4 * r_x, bearing.effective_modulus, 1e6)
     xi = 1.7
     line = long.b**2 / (2 * r_x) * (xi * np.sqrt(xi * xi - 1) - np.arccosh(xi))
-    assert capacitance_exact.gap(long, xi * long.b, 0.0) == pytest.approx(line, rel=1e-3)
+    assert capacitance_integral.gap(long, xi * long.b, 0.0) == pytest.approx(line, rel=1e-3)
 
 
 def test_no_load_is_the_rigid_gap(bearing):
@@ -142,8 +144,8 @@ def test_no_load_is_the_rigid_gap(bearing):
     loaded = closed(bearing, INNER, 1e-9, SEPARATIONS, widths)
     thin = SEPARATIONS / bearing.groove_gap(INNER)  # only the rigid form includes it
     assert loaded == pytest.approx(rigid(bearing, INNER, SEPARATIONS, widths), rel=thin.max())
-    exact = capacitance_exact.arc(bearing, INNER, 1e-6, SEPARATIONS, DEPTH)
-    still = capacitance_exact.rigid_arc(bearing, INNER, SEPARATIONS, DEPTH)
+    exact = capacitance_integral.arc(bearing, INNER, 1e-6, SEPARATIONS, DEPTH)
+    still = capacitance_integral.rigid_arc(bearing, INNER, SEPARATIONS, DEPTH)
     assert exact == pytest.approx(still, rel=2e-3)
 
 
@@ -162,7 +164,7 @@ def test_at_a_contact_angle(bearing, angle):
         for load in (10.0, 900.0):
             widths = groove_width.half_widths(bearing, raceway, DEPTH, angle)
             form = closed(bearing, raceway, load, SEPARATIONS, widths, angle)
-            exact = capacitance_exact.arc(bearing, raceway, load, SEPARATIONS, DEPTH, angle)
+            exact = capacitance_integral.arc(bearing, raceway, load, SEPARATIONS, DEPTH, angle)
             assert form == pytest.approx(exact, rel=0.013)
             # only the part around the ellipse, as for the capacitors
             ellipse = hertz.exact(*bearing.effective_radii(raceway, angle))
@@ -170,8 +172,8 @@ def test_at_a_contact_angle(bearing, angle):
             widths = groove_width.half_widths(bearing, raceway, DEPTH, angle, semi_axis=a)
             form = closed(bearing, raceway, load, SEPARATIONS, widths, angle)
             assert form == pytest.approx(exact, rel=0.015)
-    assert capacitance_exact.arc(bearing, INNER, 9.0, 1e-7, DEPTH, angle) == pytest.approx(
-        capacitance_exact.arc(bearing, INNER, 9.0, 1e-7, DEPTH, -angle), rel=1e-12
+    assert capacitance_integral.arc(bearing, INNER, 9.0, 1e-7, DEPTH, angle) == pytest.approx(
+        capacitance_integral.arc(bearing, INNER, 9.0, 1e-7, DEPTH, -angle), rel=1e-12
     )
 
 
@@ -182,7 +184,7 @@ def test_a_wide_ellipse_beside_its_shoulder():
     bearing = capacitance_error.bearing("7.938 mm", 0.505)
     ellipse = hertz.exact(*bearing.effective_radii(INNER))
     a, _ = hertz.semi_axes(ellipse, bearing.effective_modulus, load)
-    exact = capacitance_exact.arc(bearing, INNER, load, separation, depth)
+    exact = capacitance_integral.arc(bearing, INNER, load, separation, depth)
     for semi_axis, error in ((0.0, 0.031), (a, 0.0)):
         widths = groove_width.half_widths(bearing, INNER, depth, semi_axis=semi_axis)
         form = closed(bearing, INNER, load, separation, widths)
@@ -213,7 +215,7 @@ def test_bad_values(bearing):
     with pytest.raises(ValueError, match=r"shoulder diameter = 0.048 m is 0 m from"):
         groove_width.depth(bearing, INNER, 0.048)
     with pytest.raises(ValueError, match="load = -1.0 N must be positive"):
-        capacitance_exact.parabola(5e-3, 0.1, 2e11, -1.0, 1e-7, 4e-3)
+        capacitance_integral.parabola(5e-3, 0.1, 2e11, -1.0, 1e-7, 4e-3)
 
 
 def test_depth_of_the_catalogue_s_shoulders(bearing):
@@ -224,7 +226,7 @@ def test_depth_of_the_catalogue_s_shoulders(bearing):
 
 def test_ellipse_that_fills_the_groove(bearing):
     """If an ellipse fills the groove, no capacitance remains beyond its ends."""
-    assert capacitance_outside.beyond(0.1, 9.0, np.array([0.0, 0.5, 1.0])) == pytest.approx(
+    assert laws.gap_beyond(0.1, 9.0, np.array([0.0, 0.5, 1.0])) == pytest.approx(
         [0, 0, 0], abs=0.03
     )
 

@@ -12,9 +12,11 @@ from commands import answer, drawn, reply
 from host import ROOT
 from raceway import electric_point, film_reading, film_voltage, operating_point
 from raceway.cli import main
+from raceway.theory import asperity
 from raceway.theory.bearing import DoubleRow
 from raceway.theory.capacitors import Filling
 from raceway.theory.electric_point import Ask
+from raceway.theory.static import STRAIGHT
 from raceway.theory.validity import Shoulders
 
 pytestmark = pytest.mark.usefixtures("in_the_tree")
@@ -102,6 +104,19 @@ def test_warnings():
     assert any("conduct" in one for one in found["warnings"]) and found["metallic_contacts"] > 5
     light = electric_point.solve("6208", "vg46", load=500.0, rpm=5000.0)
     assert electric_point.figures(light)["warnings"] == []
+
+
+def test_metallic_where_friction_is_mixed():
+    """A contact is metallic if the asperities that cause its friction in statics carry more than
+    0.01 of its load."""
+    seen = set()
+    for rpm in np.geomspace(100.0, 3000.0, 12):
+        point = electric_point.solve("6208", "vg46", load=3000.0, rpm=rpm)
+        top = max(electric_point.figures(point)["balls"], key=lambda ball: ball["q_inner_N"])
+        mixed = operating_point.figures("6208", "vg46", load=3000.0, rpm=rpm, held=STRAIGHT)
+        assert top["metallic_inner"] == (mixed["asperity_share"] > asperity.CONDUCTS)
+        seen.add(top["metallic_inner"])
+    assert seen == {False, True}
 
 
 def test_impedance_and_leak(point):

@@ -29,7 +29,8 @@ def top(bearing):
 
 def test_dashpot(top):
     k, h_c, _, elastic, _, b = top
-    found = film_damping.dashpot(k, h_c, elastic, b, SPEEDS)
+    one = film_damping.branch(k, h_c, elastic, b, SPEEDS)
+    found = one.stiffness * one.time
     # the product of both constants was rounded to 0.59 for the printed numbers
     exact = 0.44 * 1.33
     assert found * 0.59 / exact == pytest.approx([659, 331, 219, 135], abs=0.5)

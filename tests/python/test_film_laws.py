@@ -28,9 +28,10 @@ def uncut(inner, speed):
 
 
 # ---- factors -----------------------------------------------------------------------------------
+
+
 def test_inlet_shear(bearing):
     loading = film_factors.thermal_loading(0.047, 0.04, SPEEDS, 0.134)
-    assert loading == pytest.approx([0.0074, 0.1179, 2.948], abs=5e-5, rel=2e-4)
     assert loading[:2] == pytest.approx([0.0074, 0.1179], abs=5e-5)
     assert loading[2] == pytest.approx(2.948, abs=5e-4)
     ratio = 2.571e9 / bearing.effective_modulus
@@ -40,13 +41,6 @@ def test_inlet_shear(bearing):
         (film_factors.wilson(loading), [0.9957, 0.9752, 0.8335]),
     ):
         assert factor == pytest.approx(expected, abs=5e-5)
-
-
-@pytest.mark.parametrize("law", [film_factors.murch_wilson, film_factors.wilson,
-                                 rolling.inlet_shear])  # fmt: skip
-def test_inlet_shear_falls_from_one(law):
-    assert law(0.0) == 1
-    assert np.all(np.diff(law(np.geomspace(1e-6, 1e3, 200))) < 0)
 
 
 def test_inlet_shear_of_the_rolling_torque():
@@ -91,27 +85,6 @@ def test_all_regimes_near_the_power_law_at_load(inner):
 
 
 # ---- in the gap --------------------------------------------------------------------------------
-def test_film_in_the_gap(inner):
-    stiffness = inner[4]
-    slow = film_gap.solve(17e-6, stiffness, uncut(inner, 0.72481))
-    assert hertz.load(stiffness, 17e-6) == pytest.approx(2277.79, abs=0.005)
-    assert slow.load == pytest.approx(2310.20, abs=0.005)
-    assert 1e9 * slow.h_c == pytest.approx(160.897, abs=0.0005)
-    assert slow.slope == pytest.approx(2.01739e8, abs=0.5e3)
-    fast = film_gap.solve(17e-6, stiffness, uncut(inner, 14.4946))
-    assert fast.load == pytest.approx(2545.22, abs=0.005)
-    assert 1e9 * fast.h_c == pytest.approx(1305.87, abs=0.005)
-    assert fast.slope == pytest.approx(2.07066e8, abs=0.5e3)
-
-
-def test_film_in_a_gap(inner):
-    stiffness = inner[4]
-    found = film_gap.solve(np.array([0.0, -1e-6]), stiffness, uncut(inner, 14.4946))
-    assert found.load == pytest.approx([69.735, 22.947], abs=0.0005)
-    assert found.slope[0] == pytest.approx(5.7107e7, abs=0.5e3)
-    modulus, r_x, r_y, _, _ = inner
-    law = film_gap.all_regimes(*OIL, modulus, r_x, r_y, 14.4946)
-    assert film_gap.solve(0.0, stiffness, law).load == pytest.approx(81.56, abs=0.005)
 
 
 def test_load_exponent(inner):
@@ -125,28 +98,6 @@ def laws(inner, speed):
         "uncut": uncut(inner, speed),
         "all regimes": film_gap.all_regimes(*OIL, modulus, r_x, r_y, speed),
     }
-
-
-@pytest.mark.parametrize("name", ["power law", "uncut", "all regimes"])
-def test_root_and_slope(inner, name):
-    law, stiffness = laws(inner, 14.4946)[name], inner[4]
-    overlap = np.array([-2e-6, -1e-6, -1e-7, 0.0, 1e-7, 3e-6, 17e-6, 60e-6])
-    found = film_gap.solve(overlap, stiffness, law, 1.07)
-    assert np.all(np.diff(found.load) > 0) or name == "power law"
-    live = found.load > 0
-    assert (found.elastic - 1.07 * found.h_c)[live] == pytest.approx(overlap[live], abs=1e-19)
-    step = 1e-10
-    ends = [film_gap.solve(overlap + side, stiffness, law, 1.07).load for side in (-step, step)]
-    expected = (ends[1] - ends[0]) / (2 * step)
-    assert found.slope == pytest.approx(expected, rel=1e-6, abs=1e-6)
-
-
-def test_a_cut_film_begins_at_a_gap(inner):
-    law, stiffness = laws(inner, 14.4946)["power law"], inner[4]
-    height, _ = law(1.0)
-    found = film_gap.solve(-height * np.array([1.001, 1.0, 0.9999999]), stiffness, law)
-    assert found.load[0] == 0 and found.slope[0] == 0
-    assert 0 <= found.load[1] < 1e-12 and 0 < found.load[2] < 1e-6
 
 
 def test_no_film_at_rest(inner):

@@ -183,7 +183,7 @@ def test_bad_files(stated):
     with pytest.raises(inputs.InputError, match="a four-point contact bearing; this needs one"):
         inputs.bearing(path, one_groove="this needs one")
     path.write_text(path.read_text().replace("four_point index 35", "four_point index 2"))
-    with pytest.raises(inputs.InputError, match="four_point = 2 must be from 5 to 60 degrees"):
+    with pytest.raises(inputs.InputError, match="is 2, must be from 5 to 60, or 0"):
         operating_point.figures(stated, axial=100.0)
 
 

@@ -8,8 +8,8 @@ import pytest
 from host import ROOT
 from raceway import friction_torque, inputs, lubricant, makers, traction
 from raceway.theory import attitude, skidding
+from raceway.theory.contact_friction import Surfaces
 from raceway.theory.contact_law import FilmInGap
-from raceway.theory.friction_torque import Surfaces
 from raceway.theory.lubrication import lubricate, turning
 from raceway.theory.operating_point import figures
 from raceway.theory.static import equilibrium

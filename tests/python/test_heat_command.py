@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from commands import answer, reply
 from host import ROOT
-from raceway import film, friction_torque, heat, heat_scene, hertz, inputs, steady_heat
+from raceway import contact_friction, film, heat, heat_scene, hertz, inputs, steady_heat
 from raceway.core import laws
 from raceway.errors import NoEquilibrium
 from raceway.theory.bearing import INNER, DoubleRow
@@ -67,11 +67,11 @@ def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio, monkeypatch)
         starved = laws.skf_starvation(
             40.0, 80.0, fluid.kinematic, abs(ring) * 30 / np.pi, 3e-8, 3.1
         )
-        return friction_torque.Surfaces(
+        return contact_friction.Surfaces(
             film=None, starvation=float(starved), loss=0.01, oil_share=0.1
         )
 
-    monkeypatch.setattr(friction_torque, "surfaces", flooded)
+    monkeypatch.setattr(contact_friction, "surfaces", flooded)
     found = heat_scene.one_node(scene(rpm=rpm, models="eyring"), 2.17, 20.0, 0.0)
     r_x, r_y = bearing.effective_radii(INNER)
     kappa, modulus = hertz.exact(r_x, r_y).kappa, bearing.effective_modulus

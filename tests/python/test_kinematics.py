@@ -22,13 +22,3 @@ def test_entrainment_from_the_surfaces(bearing):
     assert speed == pytest.approx(cage * bearing.outer_radius, rel=1e-13)
     assert kinematics.entrainment(bearing, 477.5 * np.pi / 30) == pytest.approx(0.725, abs=5e-4)
     assert kinematics.entrainment(bearing, -spin) == speed
-
-
-def test_orbital_speed():
-    azimuth = np.linspace(0, 6, 7)
-    x, y = 0.03 * np.cos(azimuth), 0.03 * np.sin(azimuth)
-    radial = 0.4  # this must have no effect
-    found = kinematics.orbital_speed(x, y, -20 * y + radial * x, 20 * x + radial * y)
-    assert found == pytest.approx(np.full(7, 20.0), rel=1e-13)
-    with pytest.raises(ValueError, match="axis"):
-        kinematics.orbital_speed(0.0, 0.0, 1.0, 0.0)

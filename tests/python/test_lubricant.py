@@ -88,15 +88,6 @@ def test_slope_with_temperature(name):
         assert oil.at(warm).temperature_viscosity == pytest.approx(expected, rel=1e-8)
 
 
-def test_roelands():
-    assert lubricant.roelands_exponent(0.04, 22e-9) == pytest.approx(0.66841, abs=5e-6)
-    assert lubricant.roelands(0.04, 22e-9, 0.0) == 0.04
-    small = 10.0
-    slope = np.log(lubricant.roelands(0.04, 22e-9, small) / 0.04) / small
-    assert slope == pytest.approx(22e-9, rel=1e-6)
-    assert lubricant.roelands(0.04, 22e-9, 1e9) < 0.04 * np.exp(22e-9 * 1e9)
-
-
 def test_permittivity_follows_the_density():
     cold, hot = (inputs.fluid(OILS / "vg46", warm) for warm in (40.0, 100.0))
     assert cold.permittivity == pytest.approx(2.25, rel=1e-14)

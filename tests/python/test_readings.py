@@ -37,8 +37,8 @@ def write(tmp_path, text=GOOD):
         ("bearing: 6205", "bearing: [6205]", "bearing must be one name"),
         ("bearing: 6205", "bearings: 6205", "bearings is not one of bearing, lubricant"),
         ("vg68", "vg68\nmodels: fuller", "models 'fuller' is not one of paper, full, eyring"),
-        ("load: 10", "load: ten", "known: load: 'ten' is not a number"),
-        ("load: 10", "load: -1", "known: load: -1 must lie between 0 and 1e.06"),
+        ("load: 10", "load: ten", "known: load is ten, must be a number"),
+        ("load: 10", "load: -1", "known: load is -1, must be from 0 to 1e.06"),
         ("load: 10", "clearance: 1e-6", "clearance is under both known and unknown"),
         (", temperature: 40", "", "reading 1: the temperature of the oil is missing"),
         ("0 15e-6", "15e-6 0", "1.5e-05 must be below 0"),
@@ -54,7 +54,7 @@ def write(tmp_path, text=GOOD):
         ("within: 2e-4", "within: 2e-4, line: BPFO", "line cannot be given without file"),
         ("BPFO: 3.5972, within: 2e-4", "file: none.mat, nominal: 1800", "rpm, the true speed, or"),
         ("BPFO: 3.5972, within: 2e-4", "file: [none.mat]", "file must be one name"),
-        ("BPFO: 3.5972", "capacitance: 25", "capacitance: 25 must lie between 0 and 1e-06"),
+        ("BPFO: 3.5972", "capacitance: 25", "capacitance is 25, must be from 0 to 1e-06"),
     ],
 )
 def test_mistakes(tmp_path, old, new, says):

@@ -81,7 +81,7 @@ def test_a_warming_bearing(folder):
         ("BPFO: 1e-4, ", "", "within: BPFO is missing"),
         ("BPFO", "BPF", "BPF is not one of"),
         ("clearance: 2e-6", "axial: 2", "drift: axial is not an unknown"),
-        ("clearance: 2e-6", "clearance: -1", "drift: clearance: -1 must lie between"),
+        ("clearance: 2e-6", "clearance: -1", "drift: clearance is -1, must be from"),
         ("series: hours.csv", "series: [hours.csv]", "series must be one name"),
         (FILE, "", "the file must be a map"),
         (FILE, "- hours.csv", "the file must be a map"),

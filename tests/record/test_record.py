@@ -186,25 +186,6 @@ def test_none(tmp_path):
     assert settings(tmp_path / "run")["note"] == "quiet"
 
 
-def test_notes_of_the_decks_variables(tmp_path):
-    """NAME=VARIABLE, which may be repeated, is equivalent to NAME VALUE in the same order."""
-    notes = {
-        "plain": "number mass_kg 0.333333333333333 goal turns 3 text oil thin number load_N 2.5e3",
-        "variables": "number mass_kg=third goal turns=turns text oil=oil number load_N=load",
-        "again": "number mass_kg=third goal turns=turns text oil=oil number load_N 2.5e3",
-    }
-    deck = "variable third equal 1/3\nvariable turns index 3\nvariable oil string thin\n"
-    deck += "variable load index 2.5e3\n" + SMALLEST
-    records = {}
-    for name, words in notes.items():
-        folder = tmp_path / name
-        folder.mkdir()
-        succeed(small(folder, words, deck=deck))
-        records[name] = (folder / "run" / "record.nc").read_bytes()
-    assert records["plain"] == records["variables"] == records["again"]
-    assert settings(tmp_path / "variables" / "run")["turns"] == "3"
-
-
 def test_a_finished_run_stays(tmp_path):
     succeed(small(tmp_path))
     before = (tmp_path / "run" / "record.nc").read_bytes()
@@ -251,8 +232,6 @@ def test_resume(ranks, tmp_path):
         ("text variables own", "'variables', which readers of netCDF reserve"),
         ("text _own word", "'_own': it begins with a letter and has letters, digits and '_' only"),
         ("number own-mass 2", "'own-mass': it begins with a letter"),
-        ("number mass=nobody", "mass: there is no variable 'nobody' that is one word"),
-        ("text word=", "word: there is no variable ''"),
     ],
 )
 def test_refused(options, says, tmp_path):

@@ -6,7 +6,7 @@ unloaded balls. Both runs and statics compute spin with slices."""
 import numpy as np
 import pytest
 from host import ROOT, frames, succeed
-from raceway import catalogue, friction_torque, inputs, lubrication, steady_heat
+from raceway import catalogue, contact_friction, friction_torque, inputs, lubrication, steady_heat
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 from raceway.theory.bearing import DoubleRow
@@ -122,7 +122,7 @@ def double_row(folder, fluid, **changes):
     loads = LOADS | changes
     film = f"{fluid.temperature_viscosity} {fluid.conductivity}"
     path = catalogue.find("bearings", "7208")
-    of = friction_torque.surfaces(inputs.bearing(path), inputs.size(path), fluid, SPIN)
+    of = contact_friction.surfaces(inputs.bearing(path), inputs.size(path), fluid, SPIN)
     words = (
         f"lubricant {fluid.viscosity} {fluid.pressure_viscosity} roughness 1.0e-7 0"
         f" friction mixed 0.12 0.05 asperity_law clarke slices 1.0e-4 1 rolling {film}"
@@ -160,7 +160,7 @@ def of_statics(fluid):
     path = catalogue.find("bearings", "7208")
     bearing = inputs.bearing(path, double_row=ROWS)
     oil = inputs.Oil(fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, 1e-7)
-    surfaces = friction_torque.surfaces(bearing, inputs.size(path), fluid, SPIN)
+    surfaces = contact_friction.surfaces(bearing, inputs.size(path), fluid, SPIN)
     film, places, powers, stiff = FilmInGap(fluid, SPIN), [], [], []
     for phase in np.arange(2) * np.pi / 13:
         options = {"load_azimuth": -np.pi / 2, "moment": (LOADS["moment"], 0.0), "phase": phase}

@@ -161,6 +161,7 @@ def test_preloaded_bearing_seizes_by_its_cooling(tmp_path):
         ({"housing_capacity": 100}, "'housing_capacity' needs 'seat'"),
         ({"oil_inlet": 40}, "'oil_inlet' needs 'oil_flow'"),
         ({"oil_flow": 1e-5, "lubricant": "dry"}, "'oil_flow' needs oil, but bearing b is dry"),
+        ({"load": 0.5, "rpm": 20000, "clearance": 2e-5}, "no ball of bearing b touched its inner"),
     ],
 )
 def test_errors(tmp_path, words, says):

@@ -15,7 +15,7 @@ from host import ROOT, succeed
 from raceway import inputs
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
-from raceway.theory import friction_torque, static
+from raceway.theory import contact_friction, friction_torque, static
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import lubricate, turning
 
@@ -124,7 +124,7 @@ def losses(name, load, axial, rpm, temperature=40.0):
     body, film = inputs.bearing(path), FilmInGap(fluid, ring)
     rest, orbit = turning(body, ring, load, axial, finite_shift=True, film=film)
     films = lubricate(body, rest, inputs.oil(oil, temperature), ring, factor=film.factor)
-    surfaces = friction_torque.surfaces(body, inputs.size(path), fluid, ring)
+    surfaces = contact_friction.surfaces(body, inputs.size(path), fluid, ring)
     return friction_torque.losses(body, rest, films, fluid, ring, orbit, surfaces=surfaces)
 
 

@@ -8,7 +8,7 @@ import pytest
 import xarray
 from host import ROOT, succeed
 from raceway import inputs
-from raceway.theory import friction_torque, sliding, thrust_motion
+from raceway.theory import contact_friction, friction_torque, sliding, thrust_motion
 from raceway.theory.bearing import INNER
 from raceway.theory.cage_drag import CageRing
 from raceway.theory.contact_law import FilmInGap
@@ -32,7 +32,7 @@ def moving(
         inputs.oil(oil, temperature),
         fluid,
         film,
-        friction_torque.surfaces(body, inputs.size(path), fluid, ring, models),
+        contact_friction.surfaces(body, inputs.size(path), fluid, ring, models),
         density=density,
         cage=cage,
         spin_law=spin_law,

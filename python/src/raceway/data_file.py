@@ -1,37 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Read data files, whose lines are `variable NAME index VALUE # comment`, and check their numbers
-against the ranges allowed in decks (`sweeps.variable_table`)."""
+against the ranges allowed in decks (`core.wrong_value`)."""
 
-import math
 from collections.abc import Mapping
-from functools import cache, lru_cache
+from functools import lru_cache
 from pathlib import Path
-from typing import NamedTuple
 
 from raceway import core, data_table, files
-from raceway.errors import InputError
+from raceway.errors import InputError, unreadable
 from raceway.files import FilePath
-from raceway.sweeps import variable_table
-
-
-class Range(NamedTuple):
-    """Range of the permitted values of a variable."""
-
-    low: float
-    high: float
-    whole: bool
-    beside: float  # an additional allowed value outside the range; NaN if there is none
-    unit: str
-
-    def allows(self, value: float) -> bool:
-        """Return True if `value` is allowed; NaN never is."""
-        inside = self.low <= value <= self.high and not (self.whole and value % 1)
-        return inside or value == self.beside
-
-    def __str__(self) -> str:
-        text = f"{'a whole number ' if self.whole else ''}from {self.low:g} to {self.high:g}"
-        text += f" {self.unit}" if self.unit else ""
-        return text if math.isnan(self.beside) else f"{text}, or {self.beside:g}"
 
 
 def text(path: FilePath) -> str:
@@ -45,9 +22,7 @@ def text(path: FilePath) -> str:
     try:
         found = path.read_text()
     except (OSError, UnicodeDecodeError) as error:
-        raise InputError(
-            f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
-        ) from None
+        raise InputError(unreadable(path, error)) from None
     if found.startswith("\ufeff"):
         raise InputError(f"{path} starts with a byte order mark: save it as UTF-8 without one")
     return found
@@ -105,20 +80,5 @@ def numbers(path: FilePath, *names: str) -> dict[str, float]:
 def check(path: FilePath, numbers: Mapping[str, float]) -> None:
     """Raise `InputError` if one of the `numbers` is outside its range."""
     for name, value in numbers.items():
-        allowed = ranges().get(name)
-        if allowed and not allowed.allows(value):
-            raise InputError(f"{path}: {name} = {value:g} must be {allowed}")
-
-
-@cache
-def ranges() -> dict[str, Range]:
-    """Return the `Range` of each variable that has one, keyed by name."""
-    found: dict[str, Range] = {}
-    for row in variable_table.rows():
-        words = row["range"].split()
-        if not words or words[0] == "one_of":
-            continue
-        beside = float(words[words.index("or") + 1]) if "or" in words else math.nan
-        low, high = map(float, words[:2])
-        found.setdefault(row["name"], Range(low, high, "whole" in words, beside, row["unit"]))
-    return found
+        if wrong := core.wrong_value(name, repr(value)):
+            raise InputError(f"{path}: {wrong}")

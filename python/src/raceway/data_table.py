@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from raceway import files
-from raceway.errors import InputError
+from raceway.errors import InputError, unreadable
 
 # a comment that explains a column or a source
 SAID = re.compile(r"# (\w[\w ]*): (.+)")
@@ -94,9 +94,7 @@ class _Table:
         try:
             lines = path.read_text(encoding="utf-8-sig").splitlines()
         except (OSError, UnicodeDecodeError) as error:
-            raise InputError(
-                f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
-            ) from None
+            raise InputError(unreadable(path, error)) from None
         for number, words in enumerate(lines, start=1):
             place = f"{path}, line {number}"
             if words.startswith("#"):

@@ -25,6 +25,11 @@ class InputError(RacewayError):
     """A data file is missing, broken or incomplete."""
 
 
+def unreadable(path: object, error: Exception) -> str:
+    """Return the message about a file at `path` that cannot be read because of an `error`."""
+    return f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
+
+
 def near(word: str, known: Iterable[str]) -> str:
     """Return the end of an error message about the wrong `word`, which suggests the most similar
     words among `known`, or an empty string if none is similar.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Write files such that they appear either complete or not at all, and notice that they change."""
 
+import csv
 import os
 import stat
 import time
@@ -8,7 +9,7 @@ from collections.abc import Callable, Hashable
 from contextlib import suppress
 from pathlib import Path
 
-from raceway.errors import RunError
+from raceway.errors import RacewayError, RunError, unreadable
 
 FilePath = str | os.PathLike[str]
 RECENT = 10**9  # ns; file systems store the time of a change with a resolution of up to this
@@ -24,6 +25,22 @@ def version(path: FilePath) -> Hashable:
     if time.time_ns() - found.st_mtime_ns < RECENT:  # it may change again at the same time
         return time.monotonic_ns()
     return found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns
+
+
+def csv_rows(path: FilePath, wrong: type[RacewayError]) -> list[tuple[int, list[str]]]:
+    """Return (line number, cells) for each row of a CSV file that is neither empty nor a comment,
+    and skip the byte order mark that spreadsheets write. Raises `wrong` if the file cannot be
+    read."""
+    try:
+        with open(path, newline="", encoding="utf-8-sig") as file:
+            reader = csv.reader(file)
+            return [
+                (reader.line_num, cells)
+                for cells in reader
+                if any(cells) and not cells[0].lstrip().startswith("#")
+            ]
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise wrong(unreadable(path, error)) from None
 
 
 def whole(path: FilePath, write: Callable[[Path], object]) -> Path:

@@ -101,8 +101,8 @@ def _one_groove(path):
             raise InputError(
                 f"{path}: {side}_groove = {groove:g} m must be below {side}_radius = {raceway:g} m"
             )
-    names = [name for name in STEEL if name in known or "pitch_diameter" not in known]
-    elastic = STEEL | numbers(path, *names)
+    needed = variable_table.needed("usual data" if "pitch_diameter" in known else "bearing data")
+    elastic = STEEL | numbers(path, *(name for name in STEEL if name in known or name in needed))
     young, poisson = elastic["ball_young"], elastic["ball_poisson"]
     try:
         return Bearing(**data, young=young, poisson=poisson)

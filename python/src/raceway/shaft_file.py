@@ -11,14 +11,15 @@ from raceway.inputs import InputError
 from raceway.theory import life
 from raceway.theory.beam import Disc, Section, Steel
 from raceway.theory.shaft import Load, Seat, Shaft
+from raceway.theory.steel import STEEL
 
 # {section of the file: {name: (default, or None if required; smallest, largest value)}}
 NUMBERS: Mapping[str, Mapping[str, tuple[float | None, float, float]]] = {
     "file": {"rpm": (0.0, 0.0, 1e5)},
     "steel": {
-        "young": (210e9, 1e8, 1e13),
-        "poisson": (0.3, 0.0, 0.5),
-        "density": (7800.0, 100.0, 3e4),
+        "young": (STEEL.young, 1e8, 1e13),
+        "poisson": (STEEL.poisson, 0.0, 0.5),
+        "density": (STEEL.density, 100.0, 3e4),
     },
     "sections": {
         "length": (None, 1e-6, 100.0),
@@ -122,7 +123,7 @@ def _part(data: Any, where: str, kind: str) -> dict[str, Any]:
     result = {name: data[name] for name in others if name in data}
     for name, (default, least, most) in numbers.items():
         if name in data:
-            result[name] = _number(data[name], f"{where}: {name}", least, most)
+            result[name] = yaml_file.number_within(data[name], f"{where}: {name}", least, most)
         elif default is None:
             raise InputError(f"{where}: needs {name}")
         else:
@@ -131,17 +132,7 @@ def _part(data: Any, where: str, kind: str) -> dict[str, Any]:
         values = data.get(name, ["0"] * length)
         if not isinstance(values, list) or len(values) != length:
             raise InputError(f"{where}: {name} must be a list of {length} numbers")
-        result[name] = tuple(_number(one, f"{where}: {name}", -most, most) for one in values)
+        result[name] = tuple(
+            yaml_file.number_within(one, f"{where}: {name}", -most, most) for one in values
+        )
     return result
-
-
-def _number(value: Any, what: str, least: float, most: float) -> float:
-    try:
-        number = yaml_file.number(value)
-    except ValueError:
-        number = math.nan
-    if not least <= number <= most:
-        kind = "a number without a unit, " if math.isnan(number) else ""
-        said = str(value)[:100]
-        raise InputError(f"{what} is {said}, must be {kind}from {least:g} to {most:g}")
-    return number

@@ -2,6 +2,7 @@
 """Read YAML files written by users. Every value is text or None, so that 6208 is a name, and yes is
 text rather than a boolean. It is an error if a file contains duplicate keys or references."""
 
+import math
 import re
 from collections.abc import Mapping
 from pathlib import Path
@@ -9,7 +10,7 @@ from typing import Any
 
 import yaml
 
-from raceway.errors import InputError, RacewayError
+from raceway.errors import InputError, RacewayError, unreadable
 from raceway.files import FilePath
 
 LARGEST = 1 << 18  # characters; parsing a file of this size already takes seconds
@@ -79,8 +80,7 @@ def read(path: FilePath, error: type[RacewayError] = InputError) -> Any:
         with open(Path(path), encoding="utf-8") as file:
             return parse(file.read(LARGEST + 1))
     except (OSError, ValueError) as problem:
-        why = getattr(problem, "strerror", None) or problem
-        raise error(f"cannot read {path}: {why}") from None
+        raise error(unreadable(path, problem)) from None
 
 
 def number(value: Any) -> float:
@@ -89,3 +89,18 @@ def number(value: Any) -> float:
     if isinstance(value, str) and "_" not in value or type(value) in (int, float):
         return float(value)
     raise ValueError("not a number")
+
+
+def number_within(
+    value: Any, what: str, low: float, high: float, error: type[Exception] = InputError
+) -> float:
+    """Convert a value as in `number`. Raises `error`, which names `what`, if it is not a number
+    from `low` to `high`."""
+    try:
+        found = number(value)
+    except ValueError:
+        found = math.nan
+    if low <= found <= high:
+        return found
+    kind = "a number without a unit, " if math.isnan(found) else ""
+    raise error(f"{what} is {str(value)[:100]}, must be {kind}from {low:g} to {high:g}")

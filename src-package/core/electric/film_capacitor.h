@@ -117,8 +117,7 @@ class SurroundedRaceway {
       p_(&p), m_(m), modulus_(p.material.Eprime()),
       shoulder_(p.groove, m.groove_depth(p.groove), p.pitch_radius),
       radial_(gap_shape(p.law.radial(), modulus_, p.rolling_radius(1.0))),
-      upright_(shoulder_.reach(0.0, 1.0)), flatter_(1.0 / p.slack),
-      ln_floor_(std::log(m.film_floor))
+      upright_(shoulder_.reach(0.0, 1.0)), ln_floor_(std::log(m.film_floor))
   {
     any_load_ = p.gap_film_of_all_regimes();
     if (!p.facts().film_in_gap || any_load_) return;
@@ -249,7 +248,8 @@ class SurroundedRaceway {
       if (leans) near = loaded.stretch(shoulder_.around(r.near, c.cos_angle, a));
     }
     if (any(!live)) {
-      const OpenGapT<T> open(s, h, T(1.0 - play * flatter_));
+      // flattening of the gap; the slack changes with the temperatures of ring and balls
+      const OpenGapT<T> open(s, h, T(1.0 - play * (1.0 / p_->slack)));
       far = where(live, far, open.stretch(r.far.reach));
       if (leans) near = where(live, near, open.stretch(r.near.reach));
       wider = where(live, wider, open.wider);
@@ -275,7 +275,6 @@ class SurroundedRaceway {
   GrooveShoulder shoulder_;
   GapShape radial_;
   GrooveReachT<double> upright_;    // reach at zero contact angle
-  double flatter_ = 0.0;            // 1/m, flattening of the gap per unit of clearance
   double ln_floor_ = 0.0;
   double begins_ = 0.0;    // gap at the onset of contact divided by the film thickness
   double least_load_ = least_load;

@@ -64,11 +64,6 @@ FORMULA(double, roelands, (double viscosity, double pressure_viscosity, double p
   return viscosity * exponential(Roelands({viscosity, pressure_viscosity}).ln_rise(pressure));
 }
 
-FORMULA(double, roelands_exponent, (double viscosity, double pressure_viscosity))
-{
-  return Roelands({viscosity, pressure_viscosity}).exponent;
-}
-
 FORMULA(double, film_coefficient,
         (double viscosity, double pressure_viscosity, double stress, double limit, double pressure,
          double rate))

@@ -3,9 +3,8 @@
 // and values of variables, and chooses the usual cage.
 #include "../settings/deck_variable_table.h"
 #include "../settings/usual_cage.h"
+#include "../settings/written.h"
 #include "json_text.h"
-
-#include <sstream>
 
 static std::string variables_text()
 {
@@ -14,8 +13,9 @@ static std::string variables_text()
   const auto &table = bearing::deck_variables();
   for (const bearing::DeckVariable &v : table)
     json.add("  {\"name\": \"%s\", \"default\": \"%s\", \"unit\": \"%s\", \"range\": \"%s\",\n"
-             "   \"of\": \"%s\", \"meaning\": \"%s\", \"models\": \"%s\"}%s\n",
-             v.name, v.initial, v.unit, v.range, v.of, v.meaning, v.models,
+             "   \"of\": \"%s\", \"meaning\": \"%s\", \"models\": \"%s\",\n"
+             "   \"without_default\": \"%s\"}%s\n",
+             v.name, v.initial, v.unit, v.range, v.of, v.meaning, v.models, v.without_default,
              &v == &table.back() ? "" : ",");
   json.add("]\n");
   return json.text;
@@ -32,10 +32,8 @@ extern "C" const char *variables_json()
 extern "C" const char *mistyped_name(const char *names)
 {
   static thread_local std::string message;
-  std::istringstream words(names);
-  std::set<std::string> all;
-  for (std::string one; words >> one;) all.insert(one);
-  message = bearing::mistyped(all);
+  const std::vector<std::string> all = bearing::words_of(names);
+  message = bearing::mistyped({all.begin(), all.end()});
   return message.c_str();
 }
 

@@ -17,6 +17,12 @@ namespace raceway {
 struct HeatPass {
   double heat[heat_inputs] = {}, inner = 0.0, outer = 0.0, convection = 0.0;
   double power() const { return heat[0] + heat[1] + heat[2] + heat[3] + heat[4]; }
+  void add(const HeatPass &p, double share = 1.0)
+  {
+    for (int k = 0; k < heat_inputs; ++k) heat[k] += share * p.heat[k];
+    inner += share * p.inner;
+    outer += share * p.outer;
+  }
 };
 
 struct HeatControl {

@@ -31,6 +31,14 @@ struct HeatNetwork {
   OilFlow oil;
 
   int nodes() const { return capacity[3] > 0.0 ? 4 : 3; }
+  // Returns true if heat can flow from every node to ambient. A ring that no ball touches has no
+  // path through the balls.
+  bool connected() const
+  {
+    const bool out = cooling() > 0.0;
+    return oil.flows() || (out && outer > 0.0 && (inner > 0.0 || shaft > 0.0)) ||
+           (out && inner > 0.0 && shaft > 0.0);
+  }
   // Returns the steady-state conductance from the outer ring to ambient, W/K.
   double cooling() const
   {

@@ -4,6 +4,7 @@
 #include "data_table.h"
 #include "deck_variable_table.h"
 #include "deck_words.h"
+#include "written.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,10 +50,9 @@ void Arguments::take_variables()
   for (const std::string &name : names) {
     const DeckVariable *const entry = find_deck_variable(name);
     if (!entry) {
-      std::string known;
-      for (const DeckVariable &v : variables_of(taker(command_)))
-        known += (known.empty() ? "" : ", ") + std::string(v.name);
-      fail("vars '" + name + "', must be one of: " + (known.empty() ? "none" : known));
+      std::vector<std::string> known;
+      for (const DeckVariable &v : variables_of(taker(command_))) known.push_back(v.name);
+      fail("vars '" + name + "', must be one of: " + (known.empty() ? "none" : joined(known)));
     }
     const std::optional<std::string> value = host_variable(lmp_, name);
     if (!value) continue;
@@ -185,13 +185,9 @@ int Arguments::integer(const std::string &what, int lo, int hi)
 int Arguments::choice(const std::string &what, const std::vector<std::string> &allowed)
 {
   const std::string s = word(what);
-  int n = 0;
-  std::string list;
-  for (const std::string &a : allowed) {
-    if (s == a) return n;
-    list += (n++ ? ", " : "") + a;
-  }
-  fail(what + " is '" + s + "', must be one of: " + list);
+  const auto at = std::find(allowed.begin(), allowed.end(), s);
+  if (at == allowed.end()) fail(what + " is '" + s + "', must be one of: " + joined(allowed));
+  return static_cast<int>(at - allowed.begin());
 }
 
 // Returns the end of a message, which suggests the word from the list "a, b, c" that the user
@@ -199,8 +195,7 @@ int Arguments::choice(const std::string &what, const std::vector<std::string> &a
 static std::string meant(const std::string &wrong, const std::string &list)
 {
   std::set<std::string> known;
-  std::istringstream in(list);
-  for (std::string word; in >> word;) known.insert(word.substr(0, word.find(',')));
+  for (const std::string &word : words_of(list)) known.insert(word.substr(0, word.find(',')));
   if (known.empty()) return "";
   const std::string near = near_first(wrong, known).front();
   return distance(wrong, near) > near.size() / 3 ? "" : "; did you mean '" + near + "'?";

@@ -76,6 +76,11 @@ void CageSettings::finish(const Arguments &args)
   of.land.viscosity = oil;
   of.land.filled = land_filled < 0.0 ? filled : land_filled;
   program.mass = of.mass;
+  find_freedoms();
+}
+
+void CageSettings::find_freedoms()
+{
   for (int dof = 0; dof < RingProgram::N_DOF; ++dof)
     program.mode[dof] =
         planar && (dof == 2 || dof == RingProgram::TILT || dof == RingProgram::TILT + 1)

@@ -28,6 +28,7 @@ struct CageSettings {
   // Sets the values that follow from those above. Stops with an error if a value is missing or if
   // the values contradict each other.
   void finish(const Arguments &);
+  void find_freedoms();    // sets those of `program` according to `planar`
   // Derives the values that depend on the radius of the balls (m) and of the pitch circle (m).
   // Stops with an error if the balls do not fit.
   void prepare(Arguments &, double ball_radius, double pitch);

@@ -102,10 +102,10 @@ std::vector<DataTable> tables_of(const std::string &folder)
 
 std::vector<std::string> near_first(const std::string &name, const std::set<std::string> &names)
 {
-  const size_t near = std::max<size_t>(1, name.size() / 4);
   std::vector<std::string> order(names.begin(), names.end());
-  std::stable_partition(order.begin(), order.end(),
-                        [&](const std::string &one) { return distance(name, one) <= near; });
+  std::stable_sort(order.begin(), order.end(), [&](const std::string &a, const std::string &b) {
+    return distance(name, a) < distance(name, b);
+  });
   return order;
 }
 

@@ -35,7 +35,7 @@ std::string variable_of(const std::string &line);
 
 std::vector<DataTable> tables_of(const std::string &folder);    // sorted by file name
 
-// Returns the given names, starting with those that differ from `name` by only a few letters.
+// Returns the given names, starting with the one that is most similar to `name`.
 std::vector<std::string> near_first(const std::string &name, const std::set<std::string> &names);
 
 // Returns the Levenshtein distance, i.e. the number of letters that must be changed, added or

@@ -21,11 +21,11 @@ struct DeckVariable {
   // for a constant of an oil, the models that use it (`file` for a file of keywords), or "" for all
   // models
   const char *models = "";
+  const char *without_default = "";    // kinds of data in `of` to which the default does not apply
 
   std::string label() const;    // name and unit, for messages
   bool taken_by(const std::string &command) const;
-  // Returns true if the data of a kind must include the variable: if it has no default, or if that
-  // is the default of another kind, which stands first in `of`.
+  // Returns true if the data of a kind must include the variable.
   bool needed_by(const std::string &kind) const;
   bool of_one_deck() const;    // `of` is the file name of that deck
   bool of_data() const;        // the variable is part of a bearing's or an oil's data file

@@ -6,8 +6,6 @@
 #include "written.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <set>
 #include <sstream>
 
 namespace bearing {
@@ -29,26 +27,12 @@ Parts parts_of(const std::string &models, bool film)
   return {};
 }
 
-std::string list_of(const Parts &parts)
-{
-  std::string list;
-  for (const std::string &part : parts) list += (list.empty() ? "" : " ") + part;
-  return list.empty() ? "none" : list;
-}
-
 // Set of the parts of the models that have not been left out.
 class Choice {
  public:
-  Choice(const Parts &parts, const std::string &without) : parts_(parts)
+  Choice(const Parts &parts, const std::string &without) :
+      parts_(parts), out_(left_out(without, parts))
   {
-    std::istringstream names(without == "none" ? "" : without);
-    for (std::string name; std::getline(names, name, '+');) {
-      if (std::find(parts.begin(), parts.end(), name) == parts.end())
-        throw DataError("there is no part '" + name + "' to leave out in '" + without +
-                        "'; there is: " + list_of(parts) +
-                        ". Names are joined by +, or the word is none");
-      out_.insert(name);
-    }
   }
   double has(const std::string &part) const
   {
@@ -106,13 +90,27 @@ void require(const OilWords &oil, const std::string &models)
   Parts needed = {"temperature_viscosity", "oil_conductivity"};
   if (models != "film") needed.push_back("oil_density");
   if (models == "eyring") needed.insert(needed.end(), {"eyring_stress", "limiting_traction"});
-  std::string missing;
+  Parts missing;
   for (const std::string &name : needed)
-    if (!oil.count(name)) missing += (missing.empty() ? "" : ", ") + name;
-  if (!missing.empty()) throw DataError("the lubricant has no variable " + missing);
+    if (!oil.count(name)) missing.push_back(name);
+  if (!missing.empty()) throw DataError("the lubricant has no variable " + joined(missing));
 }
 
 }    // namespace
+
+std::set<std::string> left_out(const std::string &without, const Parts &parts)
+{
+  std::set<std::string> out;
+  std::istringstream names(without == "none" ? "" : without);
+  for (std::string name; std::getline(names, name, '+');) {
+    if (std::find(parts.begin(), parts.end(), name) == parts.end())
+      throw DataError("there is no part '" + name + "' to leave out in '" + without +
+                      "'; there is: " + (parts.empty() ? "none" : joined(parts, " ")) +
+                      ". Names are joined by +, or the word is none");
+    out.insert(name);
+  }
+  return out;
+}
 
 LubricationWords lubrication_words(const std::string &kind, double level,
                                    const LubricatedBearing &b, double viscosity, double density)

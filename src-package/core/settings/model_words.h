@@ -7,6 +7,7 @@
 #include "deck_variable_table.h"
 
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,6 +18,10 @@ namespace bearing {
 struct DataError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+// Returns the parts that `without` leaves out, joined by + or none. Throws DataError for a part
+// that does not exist.
+std::set<std::string> left_out(const std::string &without, const std::vector<std::string> &parts);
 
 typedef std::map<std::string, std::string> OilWords;    // maps the name of each datum to its value
                                                         // as text

@@ -66,13 +66,14 @@ void PairCoefficients::read_coeff(Arguments &args, int types)
     args.fail(
         "bearing/ehd needs 'roughness RACEWAY BALL' (m) here or in pair_style: it determines the "
         "lambda ratio and the floor of the film damper");
-  raceways_.erase({i, j, 1});
   p.groove.offset = -arch;
   raceways_[{i, j, 0}] = p;
-  if (arch > 0.0) {
+  if (arch > 0.0) {    // a raceway that exists keeps its address, which tables of contacts hold
     p.number = 1;
     p.groove.offset = arch;
     raceways_[{i, j, 1}] = p;
+  } else {
+    raceways_.erase({i, j, 1});
   }
   ball_type_.resize(types + 1);
   ring_type_.resize(types + 1);

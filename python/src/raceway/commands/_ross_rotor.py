@@ -2,14 +2,13 @@
 """Implementation of `raceway shaft` for a ROSS rotor: bending and rigid-body properties."""
 
 import argparse
-import json
 import math
 from typing import Any
 
 import numpy as np
 
 from raceway import bending_file, ross_file
-from raceway.commands import shaft
+from raceway.commands import output, shaft
 from raceway.errors import RacewayError
 from raceway.theory import beam_motion, rotor_matrices, shaft_bending
 from raceway.units import prefixed
@@ -41,7 +40,7 @@ def run(arguments: argparse.Namespace) -> None:
         except (ValueError, OSError) as error:
             raise RacewayError(f"{arguments.file}: {error}") from None
     result = figures(rotor, bearings)
-    print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))
+    output.show(arguments, result, table)
 
 
 def figures(rotor: rotor_matrices.Rotor, bearings: list[float]) -> dict[str, Any]:

@@ -3,12 +3,11 @@
 
 import argparse
 import csv
-import json
 import sys
 from pathlib import Path
 
-from raceway.commands import options
-from raceway.commands.quantity import number
+from raceway.commands import options, output
+from raceway.commands.quantity import number, variable
 
 HELP = "list and search bearings by size, rating and name"
 DESCRIPTION = """\
@@ -61,7 +60,7 @@ def add(one: argparse.ArgumentParser) -> None:
         )
     one.add_argument(
         "--contact-angle",
-        type=number(0, 60, "degrees"),
+        type=variable("contact_angle"),
         metavar="DEG",
         help="nominal contact angle in degrees; 0 selects deep groove ball bearings",
     )
@@ -75,7 +74,7 @@ def add(one: argparse.ArgumentParser) -> None:
     one.add_argument("--clearances", action="store_true", help="add the clearance classes C2 to C5")
     options.inputs(one)
     form = one.add_mutually_exclusive_group()
-    form.add_argument("--json", action="store_true", help="print a JSON list in SI units")
+    output.option(form, "print a JSON list in SI units")
     form.add_argument(
         "--file",
         metavar="PATH",
@@ -112,7 +111,7 @@ def run(arguments: argparse.Namespace) -> None:
         for row in rows:
             row.update(_clearances(row))
     if arguments.json:
-        print(json.dumps(rows, indent=2, allow_nan=False))
+        print(output.as_json(rows))
     elif arguments.csv:
         writer = csv.DictWriter(sys.stdout, list(rows[0]), lineterminator="\n")
         writer.writeheader()

@@ -2,10 +2,9 @@
 """`raceway circuit DIR`: compute bearing voltage, discharges and energy in an outer circuit."""
 
 import argparse
-import json
 from pathlib import Path
 
-from raceway.commands import one_run
+from raceway.commands import one_run, output
 from raceway.commands.quantity import each, number, positive
 
 HELP = "compute bearing voltage, discharges and energy in an outer circuit"
@@ -100,7 +99,7 @@ def add(one: argparse.ArgumentParser) -> None:
         metavar="N",
         help="circuit steps per sample (default: 20 per period of the voltage)",
     )
-    one.add_argument("--json", action="store_true", help="print a JSON object instead of a table")
+    output.option(one, "print a JSON object instead of a table")
     one.add_argument("--out", metavar="DIR", help="folder for the tables and the picture")
 
 
@@ -192,12 +191,7 @@ def run(arguments: argparse.Namespace) -> None:
             from raceway.pictures.discharges import picture
 
             picture(opened, result, Path(arguments.out) / "discharges.png")
-    figures = circuit_figures.figures(result)
-    print(
-        json.dumps(figures, indent=2, allow_nan=False)
-        if arguments.json
-        else circuit_figures.table(figures)
-    )
+    output.show(arguments, circuit_figures.figures(result), circuit_figures.table)
 
 
 def _outer_circuit(arguments):

@@ -2,11 +2,10 @@
 """`raceway compare DIR FILE`: compare a run with a recording of the real bearing."""
 
 import argparse
-import json
 import math
 from typing import TYPE_CHECKING, Any
 
-from raceway.commands import one_run, recorded
+from raceway.commands import one_run, output, recorded
 from raceway.commands.spectrum import harmonics
 from raceway.units import prefixed
 
@@ -44,7 +43,7 @@ def add(one: argparse.ArgumentParser) -> None:
     )
     harmonics(one)
     one.add_argument("--out", metavar="PNG", help="plot both spectra to this file")
-    one.add_argument("--json", action="store_true", help="print a JSON object instead of tables")
+    output.option(one)
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -75,7 +74,7 @@ def run(arguments: argparse.Namespace) -> None:
         from raceway.pictures.compare import picture
 
         picture(found, arguments.out)
-    print(json.dumps(figures(found), indent=2) if arguments.json else text(found))
+    print(output.as_json(figures(found)) if arguments.json else text(found))
 
 
 def figures(found: "Comparison") -> dict[str, Any]:

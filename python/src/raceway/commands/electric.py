@@ -4,13 +4,12 @@ without a simulation."""
 
 import argparse
 import csv
-import json
 import math
 import sys
 from contextlib import redirect_stdout
 from pathlib import Path
 
-from raceway.commands import electric_run, options
+from raceway.commands import electric_run, options, output
 from raceway.commands.quantity import each, number
 from raceway.theory.models import CAPACITANCE
 
@@ -70,7 +69,7 @@ def add(one: argparse.ArgumentParser) -> None:
     out.add_argument(
         "--csv", metavar="FILE", help="write a table of the points, or the curve of --kind reading"
     )
-    out.add_argument("--json", action="store_true", help="print JSON instead of tables")
+    output.option(out, "print JSON instead of tables")
     one.set_defaults(unset=one.get_default, ask=_ask, filling=_filling)
 
 
@@ -192,11 +191,7 @@ def run(arguments: argparse.Namespace) -> None:
         results = [electric_point.figures(point, ask) for point in points]
     except ValueError as error:
         arguments.complain(str(error))
-    many = len(results) > 1
-    if arguments.json:
-        print(json.dumps(results if many else results[0], indent=2, allow_nan=False))
-    else:
-        print(electric_table.curves(results) if many else electric_table.table(results[0]))
+    output.show_each(arguments, results, electric_table.table, electric_table.curves)
     curve = _reading(arguments, points[0]) if arguments.kind == "reading" else None
     with redirect_stdout(sys.stderr if arguments.json else sys.stdout):
         if arguments.csv:

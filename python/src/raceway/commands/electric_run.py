@@ -2,11 +2,12 @@
 """`raceway electric DIR`: compute the electrical quantities of a run from its record."""
 
 import argparse
-import json
 import math
 import sys
 from contextlib import redirect_stdout
 from pathlib import Path
+
+from raceway.commands import output
 
 STATIC = (  # options that apply only to an operating point
     "load", "axial", "rpm", "clearance", "temperature", "models", "lubricant", "inputs",
@@ -34,10 +35,7 @@ def run(arguments: argparse.Namespace) -> None:
     data = film_figures.over_time(of, whole, ask)
     fields = whole_capacitance.fields(of, whole, ask.voltage or 1.0, ask.strength)
     found = film_table.figures(of, data, fields, ask.frequency)
-    if arguments.json:
-        print(json.dumps(found, indent=2, allow_nan=False))
-    else:
-        print(film_table.table(found))
+    output.show(arguments, found, film_table.table)
     with redirect_stdout(sys.stderr if arguments.json else sys.stdout):
         if arguments.csv:
             print(_table(data, Path(arguments.csv)))

@@ -2,13 +2,12 @@
 """`raceway heat`: compute the steady temperature of a bearing and what follows from it."""
 
 import argparse
-import json
 import sys
 
 from raceway import files
-from raceway.commands import options
+from raceway.commands import options, output
 from raceway.commands.program import program
-from raceway.commands.quantity import number
+from raceway.commands.quantity import number, variable
 
 HELP = "compute steady temperature, viscosity, clearance, film and friction torque from theory"
 DESCRIPTION = """\
@@ -55,7 +54,7 @@ def add(one: argparse.ArgumentParser) -> None:
     )
     one.add_argument(
         "--ambient",
-        type=number(-40, 150, "C"),
+        type=variable("ambient"),
         default=20.0,
         metavar="C",
         help="ambient temperature in degrees Celsius (default: 20)",
@@ -77,7 +76,7 @@ def add(one: argparse.ArgumentParser) -> None:
     )
     one.add_argument(
         "--oil-flow",
-        type=number(1e-12, 1e-2, "m^3/s"),
+        type=variable("oil_flow"),
         default=0.0,
         metavar="FLOW",
         help="flow of oil that carries heat away, in m^3/s at 40 C, or with a unit, e.g. 1L/min"
@@ -85,7 +84,7 @@ def add(one: argparse.ArgumentParser) -> None:
     )
     one.add_argument(
         "--oil-inlet",
-        type=number(-40, 150, "C"),
+        type=variable("oil_inlet"),
         metavar="C",
         help="inlet temperature of the flowing oil in degrees Celsius (default: ambient)",
     )
@@ -109,9 +108,7 @@ def add(one: argparse.ArgumentParser) -> None:
         metavar="COMMAND",
         help="with --runs: program that runs the deck (default: build/liggghts)",
     )
-    one.add_argument(
-        "--json", action="store_true", help="print a JSON object, or a list for several points"
-    )
+    output.option(one, output.POINTS)
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -129,10 +126,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.oil_inlet is not None and not arguments.oil_flow:
         arguments.complain("--oil-inlet applies to flowing oil: give --oil-flow")
     results = [_figures(arguments, point) for point in points]
-    if arguments.json:
-        print(json.dumps(results if results[1:] else results[0], indent=2, allow_nan=False))
-    else:
-        print(curves(results) if results[1:] else table(results[0]))
+    output.show_each(arguments, results, table, curves)
 
 
 def _figures(arguments, of):

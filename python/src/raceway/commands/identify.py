@@ -2,13 +2,12 @@
 """`raceway identify FILE`: find clearance, loads, oil temperature and cooling from readings."""
 
 import argparse
-import json
 import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from raceway.commands import options
-from raceway.commands.quantity import number
+from raceway.commands import options, output
+from raceway.commands.quantity import number, variable
 from raceway.recordings import WITHIN
 from raceway.theory.models import STATICS
 from raceway.units import prefixed
@@ -89,7 +88,7 @@ def add(one: argparse.ArgumentParser) -> None:
     )
     lines.add_argument(
         "--temperature",
-        type=number(-40, 200, "C"),
+        type=variable("temperature"),
         metavar="C",
         help="oil temperature in degrees Celsius (default: unknown)",
     )
@@ -99,7 +98,7 @@ def add(one: argparse.ArgumentParser) -> None:
         metavar="SHARE",
         help=f"relative standard deviation of a line (default: {WITHIN:g})",
     )
-    one.add_argument("--json", action="store_true", help="print a JSON object instead of text")
+    output.option(one, "print a JSON object instead of text")
     # an option that was not given is None
     defaults["within"] = WITHIN
     one.set_defaults(of_lines=defaults, **dict.fromkeys(defaults))
@@ -134,10 +133,7 @@ def run(arguments: argparse.Namespace) -> None:
             **words,
         )
     found = identify(given)
-    if arguments.json:
-        print(json.dumps(figures(given, found), indent=2))
-    else:
-        print(text(given, found))
+    print(output.as_json(figures(given, found)) if arguments.json else text(given, found))
 
 
 def figures(given: "Readings", found: "Found") -> dict[str, Any]:

@@ -2,12 +2,11 @@
 """`raceway measured FILE`: find speed, levels and lines in a recording of a real bearing."""
 
 import argparse
-import json
 import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from raceway.commands import recorded
+from raceway.commands import output, recorded
 from raceway.commands.quantity import number
 from raceway.commands.spectrum import harmonics, plain, table
 from raceway.rows import warning_lines
@@ -68,7 +67,7 @@ def add(one: argparse.ArgumentParser) -> None:
         help="kind of picture: the spectrum with its lines (default), or time and frequency",
     )
     one.add_argument("--out", metavar="PNG", help="draw the picture to this file")
-    one.add_argument("--json", action="store_true", help="print a JSON object instead of tables")
+    output.option(one)
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -97,7 +96,7 @@ def run(arguments: argparse.Namespace) -> None:
     said = warning_lines(figures["warnings"])
     if arguments.json:
         figures["lines"] = [plain(line, found.attrs["units"]) for line in lines]
-        print(json.dumps(figures, indent=2))
+        print(output.as_json(figures))
     else:
         print(_text(figures), "", table(opened, found, lines), *said, sep="\n")
 

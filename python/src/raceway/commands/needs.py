@@ -2,11 +2,10 @@
 """`raceway needs DECK`: find the model parts and numerical settings that a scene needs."""
 
 import argparse
-import json
 import re
 
 from raceway import files
-from raceway.commands import options
+from raceway.commands import options, output
 from raceway.commands.program import command, end_on_signals
 from raceway.errors import RacewayError, near
 
@@ -82,13 +81,9 @@ def run(arguments: argparse.Namespace) -> None:
     out = files.folder(arguments.out)
     end_on_signals()
     found = needs(scene, _wanted(arguments.want, wet), available, out, runs, jobs=arguments.jobs)
-    files.text(out / "needs.json", _json(as_json(found)))
+    files.text(out / "needs.json", output.as_json(as_json(found)))
     picture(found, out / "needs.png")
     print(table(found))
-
-
-def _json(data):
-    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
 
 
 def _wanted(texts, wet):

@@ -12,21 +12,21 @@ from collections.abc import Sequence
 from typing import Any
 
 from raceway import core
-from raceway.commands.quantity import number, positive
+from raceway.commands.quantity import number, positive, variable
 from raceway.theory.cleanliness import CLEANLINESS
 from raceway.theory.models import DEFAULT
 
 POINT = {  # {quantity of an operating point: (type, unit in the help, help)}
     "load": (number(0, 1e6, "N"), "N", "radial load along x, in newtons (default: 0)"),
-    "axial": (number(-1e6, 1e6, "N"), "N", "axial load along z, in newtons (default: 0)"),
+    "axial": (variable("axial"), "N", "axial load along z, in newtons (default: 0)"),
     "rpm": (number(0, 1e5, "rpm"), "R", "speed of the inner ring in rpm"),
     "clearance": (
-        number(-1e-3, 1e-3, "m"),
+        variable("clearance"),
         "M",
         "diametral clearance in metres; a negative value is a preload (default: 0)",
     ),
     "temperature": (
-        number(-40, 200, "C"),
+        variable("temperature"),
         "C",
         "temperature of the lubricant in degrees Celsius (default: from its file, or 40)",
     ),
@@ -99,7 +99,7 @@ def grooves(to: Any) -> None:
     """Add --four-point, --double-row, --arrangement and --preload for several grooves per ring."""
     to.add_argument(
         "--four-point",
-        type=number(5, 60, "degrees"),
+        type=variable("four_point"),
         metavar="DEGREES",
         help="a four-point contact bearing with two grooves per ring, which centred balls touch at"
         " this angle (default: four_point in the bearing's file, or one groove)",
@@ -188,7 +188,7 @@ def cage(to: Any) -> None:
     )
     to.add_argument(
         "--cage-play",
-        type=number(1e-6, 0.1, "m"),
+        type=variable("cage_play"),
         metavar="M",
         help="play of the pockets of a cage ring along the pitch circle in metres (default:"
         " estimated)",

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from raceway import units
+from raceway.sweeps import variable_table
 
 
 def number(low: float, high: float, unit: str) -> Callable[[str], float]:
@@ -21,6 +22,18 @@ def number(low: float, high: float, unit: str) -> Callable[[str], float]:
         except ValueError as error:
             raise argparse.ArgumentTypeError(str(error)) from None
         return inside(value, text, low, high, unit)
+
+    return convert
+
+
+def variable(name: str) -> Callable[[str], float]:
+    """Return an argparse type like `number` with the range and the unit of the deck variable
+    `name`, without the value beside its range that stands for the default."""
+
+    def convert(text):
+        row = variable_table.row(name)
+        low, high = map(float, row["range"].split()[:2])
+        return number(low, high, row["unit"])(text)
 
     return convert
 

@@ -2,11 +2,10 @@
 """`raceway shaft FILE`: compute the equilibrium of a shaft on several bearings."""
 
 import argparse
-import json
 import math
 from typing import Any
 
-from raceway.commands import options
+from raceway.commands import options, output
 from raceway.commands.quantity import number
 from raceway.rows import aligned
 from raceway.units import prefixed
@@ -44,9 +43,7 @@ def add(one: argparse.ArgumentParser) -> None:
     options.inputs(one)
     options.point(one, "rpm", "speed of the shaft in rpm (default: the speed in the file)")
     options.cleanliness(one)
-    one.add_argument(
-        "--json", action="store_true", help="print a JSON object, or a list for several --rpm"
-    )
+    output.option(one, "print a JSON object, or a list for several --rpm")
     one.add_argument("--out", metavar="PNG", help="plot the displacement of the shaft")
     reduced = one.add_argument_group("flexible shaft, for fix bearing/shaft")
     reduced.add_argument(
@@ -111,11 +108,7 @@ def run(arguments: argparse.Namespace) -> None:
         picture(case, rest, arguments.out)
     if arguments.reduced:
         reduce(case, rest, arguments)
-    result = results if results[1:] else results[0]
-    if arguments.json:
-        print(json.dumps(result, indent=2, allow_nan=False))
-    else:
-        print(over_speed(results) if results[1:] else table(results[0]))
+    output.show_each(arguments, results, table, over_speed)
 
 
 def _check(arguments):

@@ -2,13 +2,12 @@
 """`raceway spectrum DIR`: find the kinematic lines in the motion of a ring."""
 
 import argparse
-import json
 import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from raceway.commands import one_run, options
+from raceway.commands import one_run, options, output
 from raceway.commands.quantity import number
 from raceway.units import prefixed
 
@@ -76,7 +75,7 @@ def add(one: argparse.ArgumentParser) -> None:
         help="compute the spectrum of the signal's envelope, with sidebands",
     )
     options.band(one)
-    one.add_argument("--json", action="store_true", help="print a JSON list instead of a table")
+    output.option(one, "print a JSON list instead of a table")
     one.add_argument(
         "--kind",
         choices=("lines", "time"),
@@ -122,7 +121,7 @@ def run(arguments: argparse.Namespace) -> None:
 
         picture(opened, spectrum, found, arguments.out)
     print(
-        json.dumps([plain(line, spectrum.attrs["units"]) for line in found], indent=2)
+        output.as_json([plain(line, spectrum.attrs["units"]) for line in found])
         if arguments.json
         else table(opened, spectrum, found)
     )

@@ -3,12 +3,11 @@
 simulation."""
 
 import argparse
-import json
 import math
 from functools import partial
 
-from raceway.commands import options
-from raceway.commands.quantity import number
+from raceway.commands import options, output
+from raceway.commands.quantity import number, variable
 from raceway.theory import models
 
 HELP = "compute loads, tilt, film and capacitance from theory, without a simulation"
@@ -68,7 +67,7 @@ def add(one: argparse.ArgumentParser) -> None:
     )
     loads.add_argument(
         "--moment",
-        type=number(-1e5, 1e5, "N m"),
+        type=variable("moment_x"),
         nargs=2,
         metavar=("MX", "MY"),
         help="moments about x and y in newton metres; frees the tilts, even if they are 0 0",
@@ -118,7 +117,7 @@ def add(one: argparse.ArgumentParser) -> None:
     )
     balls.add_argument(
         "--density",
-        type=number(100, 3e4, "kg/m^3"),
+        type=variable("ball_density"),
         metavar="RHO",
         help="density of the balls in kg/m^3 (default: ball_density in the bearing's file, or"
         " 7800)",
@@ -145,9 +144,7 @@ def add(one: argparse.ArgumentParser) -> None:
         " bearing's file)",
     )
     options.cleanliness(one)
-    one.add_argument(
-        "--json", action="store_true", help="print a JSON object, or a list for several points"
-    )
+    output.option(one, output.POINTS)
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -217,7 +214,7 @@ def run(arguments: argparse.Namespace) -> None:
             )
         )
         table = load_spectrum.table
-    print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))
+    output.show(arguments, result, table)
 
 
 def _hold(text):

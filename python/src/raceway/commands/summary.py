@@ -2,9 +2,8 @@
 """`raceway summary DIR`: print the results of a run."""
 
 import argparse
-import json
 
-from raceway.commands import one_run
+from raceway.commands import one_run, output
 
 HELP = "print the results of a run with units and equations"
 DESCRIPTION = """\
@@ -21,9 +20,7 @@ Exit codes: 0 done, 1 the folder has no finished run or a broken one, 2 wrong co
 
 def add(one: argparse.ArgumentParser) -> None:
     one_run.add(one)
-    one.add_argument(
-        "--json", action="store_true", help="print a JSON object in SI units instead of a table"
-    )
+    output.option(one, "print a JSON object in SI units instead of a table")
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -34,8 +31,4 @@ def run(arguments: argparse.Namespace) -> None:
     tables = one_run.tables(arguments)
     figures = summary(tables)
     figures |= statics(tables, figures)
-    print(
-        json.dumps(figures, indent=2, ensure_ascii=False, allow_nan=False)
-        if arguments.json
-        else table(figures)
-    )
+    output.show(arguments, figures, table)

@@ -3,6 +3,7 @@
 
 import math
 from collections.abc import Mapping
+from functools import partial
 from itertools import product
 from typing import Any, NamedTuple
 
@@ -51,6 +52,9 @@ SET_HERE = {
 class SpecError(RacewayError):
     """Raised if the specification of a data set cannot be used; the message states the position
     and the value."""
+
+
+_number = partial(yaml_file.number_within, error=SpecError)
 
 
 class Spec(NamedTuple):
@@ -108,13 +112,13 @@ def _spec(data, known):
     for kind in (kinds := _list(record.get("files", "mat"))):
         if kind not in FILES:
             raise SpecError(f"record: files is '{kind}', must be one or more of {', '.join(FILES)}")
-    rates = [int(_number("rates (Hz)", rate, 1000, 1e5)) for rate in _list(record["rates"])]
+    rates = [int(_number(rate, "rates (Hz)", 1000, 1e5)) for rate in _list(record["rates"])]
     if any(max(rates) * OVERSAMPLING % rate for rate in rates):
         raise SpecError(f"record: rates {rates} must divide {OVERSAMPLING} times the largest")
     if (axis := record.get("axis", "y")) not in ("x", "y"):
         raise SpecError(f"record: axis is '{axis}', must be x or y")
     conditions = dict(_section("conditions", data["conditions"], None, {"load", "rpm"}))
-    seeds = [int(_number("seed", seed, 0, 2**31)) for seed in _list(conditions.pop("seed", 1))]
+    seeds = [int(_number(seed, "seed", 0, 2**31)) for seed in _list(conditions.pop("seed", 1))]
     swept = {name: [_word(name, one) for one in _list(v)] for name, v in conditions.items()}
     deck = {name: _word(name, v) for name, v in (data.get("deck") or {}).items()}
     for name in [*swept, *deck]:
@@ -126,7 +130,7 @@ def _spec(data, known):
     if len(set(seeds)) < len(seeds) or any(len(set(v)) < len(v) for v in swept.values()):
         raise SpecError("conditions: a value is repeated")
     for rpm in swept["rpm"]:
-        _number("rpm", rpm, 1, 1e5)
+        _number(rpm, "rpm", 1, 1e5)
     return Spec(
         title=str(data["title"]),
         bearing=_word("bearing", data["bearing"]),
@@ -134,9 +138,9 @@ def _spec(data, known):
         flaws=_flaws(data["flaws"]),
         conditions=swept,
         seeds=seeds,
-        seconds=_number("seconds", record["seconds"], 1e-3, 1e4),
+        seconds=_number(record["seconds"], "seconds", 1e-3, 1e4),
         rates=rates,
-        noise=_number("noise (m/s^2)", record.get("noise", 0), 0, 1e4),
+        noise=_number(record.get("noise", 0), "noise (m/s^2)", 0, 1e4),
         axis=axis,
         files=kinds,
     )
@@ -158,7 +162,7 @@ def _flaws(given):
                 if set(values) - {"round", "full"}:
                     raise SpecError(f"flaw {kind}: width is {values}, must be round or full")
             else:
-                full[name] = [_number(f"flaw {kind}: {name}", v, *RANGES[name]) for v in values]
+                full[name] = [_number(v, f"flaw {kind}: {name}", *RANGES[name]) for v in values]
         result[kind] = full
     return result
 
@@ -178,16 +182,6 @@ def _list(given):
     if not values:
         raise SpecError("an empty list")
     return values
-
-
-def _number(name, given, low, high):
-    try:
-        value = yaml_file.number(given)
-    except ValueError:
-        raise SpecError(f"{name} is '{str(given)[:100]}', must be a number") from None
-    if not low <= value <= high:
-        raise SpecError(f"{name} is {value:g}, must be {low:g} to {high:g}")
-    return value
 
 
 def _word(name, given):

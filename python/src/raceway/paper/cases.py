@@ -12,7 +12,7 @@ import numpy as np
 import yaml
 
 from raceway import inputs
-from raceway.inputs import InputError
+from raceway.errors import InputError, unreadable
 from raceway.sweeps.points import deck_variables
 from raceway.theory import kinematics
 from raceway.theory.bearing import Bearing
@@ -70,7 +70,7 @@ def plan(root: Path) -> Plan:
         }
         products = {str(name): list(needs) for name, needs in data["products"].items()}
     except OSError as error:
-        raise InputError(f"cannot read {path}: {error.strerror or error}") from None
+        raise InputError(unreadable(path, error)) from None
     except yaml.YAMLError as error:
         raise InputError(f"{path}: {error}") from None
     except (KeyError, TypeError, AttributeError) as error:

@@ -11,7 +11,8 @@ from raceway import inputs
 from raceway.arrays import Floats
 from raceway.recordings.readings import Point, Reading, Readings
 from raceway.theory import cage_speed
-from raceway.theory.heat_scene import Rest, Scene
+from raceway.theory.heat_scene import Scene
+from raceway.theory.running import Running
 from raceway.theory.static import STRAIGHT
 
 NO_LAG = 0.0, 0.0
@@ -35,7 +36,7 @@ class Model:
         path, oil = readings.bearing, readings.lubricant
         self.bearing = inputs.bearing(path, one_groove="lines need one groove per ring")
         self._density, self._size = inputs.ball_density(path), inputs.size(path)
-        self._near: dict[Point, dict[float, Rest]] = {}  # results for the last state
+        self._near: dict[Point, dict[float, Running]] = {}  # results for the last state
         self._lubricant, self._roughness = inputs.lubricant(oil), inputs.oil(oil).roughness
 
     def predict(

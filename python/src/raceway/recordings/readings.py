@@ -3,6 +3,7 @@
 identify`."""
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -29,6 +30,8 @@ UNITS = {"capacitance": "F", "temperature": "C"}  # lines are in orders of the s
 LINE = (1e-3, 1e3)  # range of a line in orders
 POSSIBLE = {"capacitance": (0.0, 1e-6), "temperature": (-60.0, 300.0)}  # ranges of a reading
 FILE = ("file", "line", "rate", "nominal", "channel")
+
+_number = partial(yaml_file.number_within, error=ValueError)
 
 
 class ReadingsError(RacewayError):
@@ -217,16 +220,6 @@ def _names(given, keys, where=""):
     for key in keys:
         if isinstance(given.get(key), (dict, list)):
             raise ValueError(f"{where}{key} must be one name")
-
-
-def _number(value, where, low, high):
-    try:
-        found = yaml_file.number(value)
-    except ValueError:
-        raise ValueError(f"{where}: '{value}' is not a number") from None
-    if not low <= found <= high:
-        raise ValueError(f"{where}: {found:g} must lie between {low:g} and {high:g}")
-    return found
 
 
 def _state(given, where):

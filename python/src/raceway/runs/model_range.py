@@ -27,7 +27,7 @@ from raceway.runs.settings import LUBRICANT, deck_words
 from raceway.runs.tables import RunTables
 from raceway.theory import asperity, capacitance, film, film_factors, hertz, rolling, traction
 from raceway.theory.bearing import INNER
-from raceway.theory.friction_torque import Surfaces
+from raceway.theory.contact_friction import Surfaces
 
 INPUTS = yaml.safe_load(files("raceway").joinpath("runs/model_range.yaml").read_text())
 FIELDS = dict(zip(LUBRICANT, inputs.Oil._fields))

@@ -17,7 +17,7 @@ import numpy as np
 
 from raceway.arrays import Floats
 from raceway.core import library
-from raceway.errors import RunError
+from raceway.errors import RunError, unreadable
 from raceway.files import FilePath
 from raceway.runs import netcdf_header
 from raceway.runs.frame import along, own_name
@@ -65,7 +65,7 @@ class Record:
                 self.checked = _check_header(self.path, content)
                 self._describe(netcdf_header.read(content), content)
         except OSError as error:
-            raise RunError(f"cannot read {self.path}: {error.strerror or error}") from None
+            raise RunError(unreadable(self.path, error)) from None
         except DAMAGED:
             raise RunError(
                 f"cannot read {self.path}: it is truncated or damaged, or it is not a record"

@@ -28,6 +28,7 @@ from raceway.theory import (
 from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.capacitance_outside import FILLS
 from raceway.theory.capacitors import FLOODED, Filling
+from raceway.theory.steel import STEEL
 from raceway.theory.validity import Shoulders
 
 SIDES = ("inner", "outer")
@@ -84,7 +85,9 @@ def _is_number(word: str) -> bool:
     return True
 
 
-def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0) -> xr.Dataset:
+def over_time(
+    run: Run, filling: Filling | None = None, density: float = STEEL.density
+) -> xr.Dataset:
     """Return the capacitances of a `run` from `raceway.open` as a Dataset in SI units.
 
     Its variables are `load`, `separation`, `area`, `plates`, `outside`, `paths` and `total` (time,
@@ -241,7 +244,7 @@ def _states(run, whole):
         share = contacts["asperity_share"]
     else:
         ratio = contacts["lambda"].fillna(np.inf)
-        share = ratio.copy(data=asperity.zhou_hoeprich(ratio.to_numpy()))
+        share = ratio.copy(data=asperity.clarke(ratio.to_numpy()))
     share = share.where(contacts["load"] > 0, 0.0).rename("load")
     if contacts.sizes["raceway"] > len(SIDES):
         share = _by_ring(share)

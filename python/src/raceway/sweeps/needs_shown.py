@@ -4,7 +4,6 @@
 import math
 import shlex
 import statistics
-from collections.abc import Mapping
 from typing import Any
 
 from raceway.rows import warning_lines
@@ -51,13 +50,13 @@ def command(found: Needs) -> str:
 
 
 def as_json(found: Needs) -> dict[str, Any]:
-    """Return all results as numbers and texts; values of failed runs are null."""
+    """Return all results as numbers and texts; values of failed runs are infinite or NaN."""
     return {
         "scene": found.scene,
         "reference": REFERENCE,
         "wanted": found.wanted,
         "figures": found.figures,
-        "uncertain": _finite(found.uncertain),
+        "uncertain": found.uncertain,
         "single": [_outcome(one) for one in found.single],
         "tried": [_outcome(one) for one in found.tried],
         "best": _outcome(found.best),
@@ -70,14 +69,11 @@ def as_json(found: Needs) -> dict[str, Any]:
 def _outcome(one: Outcome) -> dict[str, Any]:
     return {
         "names": [choice.name for choice in one.picked],
-        "errors": _finite(one.errors),
-        **_finite({"cost": one.cost, "evaluations": one.evaluations}),
+        "errors": one.errors,
+        "cost": one.cost,
+        "evaluations": one.evaluations,
         **({"message": one.message} if one.message else {}),
     }
-
-
-def _finite(values: Mapping[str, float]) -> dict[str, float | None]:
-    return {name: value if math.isfinite(value) else None for name, value in values.items()}
 
 
 def percent(value: float) -> str:

@@ -2,7 +2,6 @@
 """Read the points of a sweep from a table whose columns are variables of a deck, and check them
 before anything runs."""
 
-import csv
 import hashlib
 import math
 import re
@@ -10,8 +9,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from raceway import core, units
-from raceway.errors import RacewayError, near
+from raceway import core, files, units
+from raceway.errors import RacewayError, near, unreadable
 from raceway.files import FilePath
 from raceway.sweeps import variable_table
 
@@ -81,8 +80,8 @@ def _add_variables(found, path):
         text = _text(path)
     except (OSError, UnicodeDecodeError) as error:
         raise TableError(
-            f"cannot read deck {path}: {getattr(error, 'strerror', None) or error}; `raceway decks"
-            f" {path.name}` copies one of the package's decks here"
+            f"{unreadable(f'deck {path}', error)}; `raceway decks {path.name}` copies one of the"
+            " package's decks here"
         ) from None
     for name, default in INDEX.findall(text):
         found.setdefault(name, default)
@@ -108,7 +107,7 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
     cells, values that are not a single word, numbers with a unit, and rows that request the same
     point twice ("5000" and "5e3" are the same).
     """
-    lines = _lines(table)
+    lines = files.csv_rows(table, TableError)
     if not lines:
         raise TableError(f"{table} is empty: the first line must name variables of the deck")
     columns, wrong = [cell.strip() for cell in lines[0][1]], []
@@ -223,23 +222,6 @@ def folder_name(variables: Mapping[str, str]) -> str:
     if len(name) <= LONGEST and name == short:
         return name
     return short[: LONGEST - 17] + "_" + hashlib.sha256(name.encode()).hexdigest()[:16]
-
-
-def _lines(table):
-    try:
-        with open(
-            table, newline="", encoding="utf-8-sig"
-        ) as file:  # spreadsheets write a byte order mark
-            reader = csv.reader(file)
-            return [
-                (reader.line_num, cells)
-                for cells in reader
-                if any(cells) and not cells[0].lstrip().startswith("#")
-            ]
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise TableError(
-            f"cannot read {table}: {getattr(error, 'strerror', None) or error}"
-        ) from None
 
 
 def _has_unit(text, unit):

@@ -12,20 +12,37 @@ DATA = {"bearing data", "usual data", *OIL}
 
 
 def rows() -> list[dict[str, Any]]:
-    """Return a dict with "name", "default", "unit", "range", "of", "meaning" and "models" for each
-    variable.
+    """Return a dict with "name", "default", "unit", "range", "of", "meaning", "models" and
+    "without_default" for each variable.
 
-    `of` contains the names of the commands that take the variable, joined by |, or the kind of
+    `of` contains the names of the commands that take the variable, joined by |, or the kinds of
     data. `models` contains the models that use a constant of an oil, or "" for all models.
+    `without_default` contains the kinds of data to which the default does not apply.
     """
     return core.table("variables")
 
 
 @cache
+def row(name: str) -> dict[str, Any]:
+    """Return the row of a variable. Raises `KeyError` if there is none."""
+    return {row["name"]: row for row in rows()}[name]
+
+
+@cache
 def default(name: str) -> str:
     """Return the default of a variable as text, which is empty if the command or the data files
-    define it."""
+    define it, or if there is no such variable."""
     return next((row["default"] for row in rows() if row["name"] == name), "")
+
+
+def needed(kind: str) -> list[str]:
+    """Return the names of the variables that data of a `kind` must include."""
+    return [
+        row["name"]
+        for row in rows()
+        if kind in row["of"].split("|")
+        and (not row["default"] or kind in row["without_default"].split("|"))
+    ]
 
 
 def oil() -> dict[str, dict[str, Any]]:

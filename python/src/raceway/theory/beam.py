@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from raceway.arrays import Floats
+from raceway.theory.steel import Steel
 
 FREEDOMS = 5
 
@@ -21,14 +22,6 @@ class Section(NamedTuple):
     length: float
     diameter: float
     bore: float = 0.0
-
-
-class Steel(NamedTuple):
-    """Material of a shaft; bearing steel by default."""
-
-    young: float = 210e9  # Pa
-    poisson: float = 0.3
-    density: float = 7800.0  # kg/m^3
 
 
 class Disc(NamedTuple):

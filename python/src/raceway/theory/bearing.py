@@ -16,6 +16,7 @@ import numpy as np
 
 from raceway.arrays import Floats, Numbers
 from raceway.core import laws
+from raceway.theory.steel import STEEL
 
 INNER, OUTER = 0, 1
 MOST = 1.0  # m; larger values are assumed to have been given in millimetres
@@ -68,8 +69,8 @@ class Bearing:
     outer_radius: float
     inner_groove: float
     outer_groove: float
-    young: float = 210e9
-    poisson: float = 0.3
+    young: float = STEEL.young
+    poisson: float = STEEL.poisson
     layout: Layout = Layout()
 
     def __post_init__(self):

@@ -3,7 +3,7 @@
 of dA/(h + g) in m over the gap outside the patch. The capacitance is eps_0 eps I.
 
 Functions accept numbers or arrays of equal shape in SI units. All formulas are derived in
-docs/electric; `capacitance_exact` evaluates the corresponding integrals numerically.
+docs/electric; tests compare them with the integrals, which they evaluate numerically.
 """
 
 import numpy as np
@@ -14,25 +14,7 @@ from raceway.theory import hertz
 from raceway.theory.groove_width import HalfWidths
 
 FILLS = ("flooded", "cavitated", "dry")
-SMALLEST_KAPPA = 1.0  # the fits in `beside` and `beyond` hold if a is at least b
-
-
-def beside(ratio: Numbers) -> Numbers:
-    """Return G(H) with H = h/g_s, where G is the integral I over the gap in front of and behind the
-    ellipse, divided by 2 a b/g_s. It agrees with `capacitance_exact.beside` within 0.2 % for H from
-    1e-3 to 1e3.
-
-    >>> [round(float(beside(h)), 3) for h in (1e-3, 1.0, 1e3)]
-    [33.802, 2.462, 0.098]
-    """
-    return laws.gap_beside(ratio)
-
-
-def beyond(ratio: Numbers, kappa: Numbers, reach: Numbers) -> Numbers:
-    """Return P, which describes the gap beyond one end of the ellipse. P is the integral of
-    dy/sqrt(H + E(y)) from 1 to `reach` = S/a, with y in units of a and H = h/g_s = `ratio`. It is
-    zero if the ellipse fills the groove."""
-    return laws.gap_beyond(ratio, kappa, reach)
+SMALLEST_KAPPA = 1.0  # the fits in G and P hold if a is at least b
 
 
 def loaded(

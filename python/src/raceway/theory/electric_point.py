@@ -16,7 +16,7 @@ from raceway import catalogue, inputs
 from raceway.arrays import Floats, plain, short
 from raceway.files import FilePath
 from raceway.theory import ball_pass, capacitors, film_voltage, impedance, lubrication
-from raceway.theory.asperity import zhou_hoeprich
+from raceway.theory.asperity import clarke
 from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.capacitors import FLOODED, BearingCapacitors, Filling
 from raceway.theory.contact_law import FilmInGap
@@ -277,7 +277,7 @@ def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
 def _metallic(films):
     return [
         np.atleast_2d(
-            film_voltage.states(zhou_hoeprich(np.where(side.ratio > 0, side.ratio, np.inf))) == 2
+            film_voltage.states(clarke(np.where(side.ratio > 0, side.ratio, np.inf))) == 2
         )
         for side in (films.inner, films.outer)
     ]

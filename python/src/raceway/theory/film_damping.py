@@ -41,10 +41,3 @@ def advance(
     its derivative with respect to the approach in N s/m. The solution is exact."""
     left, slope = laws.film_branch_step(branch.stiffness, 1 / branch.time, step, False)
     return left * force + slope * approach, slope
-
-
-def dashpot(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Numbers) -> Numbers:
-    """Return C = 0.59 k (h_c/delta_H) b/u = k_m tau in N s/m, which represents the branch for slow
-    motion. It grows without bound as u goes to zero."""
-    one = branch(k, h_c, elastic, b, speed)
-    return one.stiffness * one.time

@@ -10,6 +10,7 @@ import math
 from typing import NamedTuple
 
 from raceway.theory.bearing import Bearing
+from raceway.theory.steel import Steel
 
 
 class Material(NamedTuple):
@@ -19,7 +20,7 @@ class Material(NamedTuple):
     poisson: float
 
 
-STEEL = Material(210e9, 0.3)
+STEEL = Material(*Steel()[:2])
 
 
 def clearance_change(

@@ -11,22 +11,21 @@ carries heat away.
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from raceway import inputs
-from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
-from raceway.theory import ball_pass, cage_drag, friction_torque, heat, makers, thrust_motion
+from raceway.theory import ball_pass, cage_drag, contact_friction, heat, makers, running
 from raceway.theory.bearing import INNER, Bearing
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubricant import Fluid, Lubricant
-from raceway.theory.lubrication import Lubrication, lubricate, turning
 from raceway.theory.models import DEFAULT
 from raceway.theory.oil_supply import BATH, Supply
-from raceway.theory.static import STRAIGHT, Equilibrium
-from raceway.theory.thrust_motion import Motion
+from raceway.theory.running import Friction, Running
+from raceway.theory.static import STRAIGHT
+from raceway.theory.steel import STEEL
 
 ENOUGH = 0.01  # K, tolerance of the temperature
 
@@ -51,24 +50,11 @@ class CirculatingOil:
     width: float
 
 
-class Rest(NamedTuple):
-    """A bearing in equilibrium with its loads, and the films at its speed."""
-
-    state: Equilibrium
-    orbit: float | Floats  # rad/s, orbital speed of the balls
-    films: Lubrication
-    fluid: Fluid
-    clearance: float  # m
-    surfaces: friction_torque.Surfaces
-    motion: Motion | None  # of the balls under pure thrust
-    rolling: Equilibrium  # without friction, in which balls roll
-
-
 @dataclass
 class Scene:
     """A bearing with its oil and load, for which friction is computed from temperature and
     clearance. `spin_law`, `models` and `cage` are as in `operating_point.figures`, `held` is as in
-    `static.equilibrium`, and `size` and `supply` are as in `friction_torque.surfaces`."""
+    `static.equilibrium`, and `size` and `supply` are as in `contact_friction.surfaces`."""
 
     bearing: Bearing
     lubricant: Lubricant
@@ -76,7 +62,7 @@ class Scene:
     load: float
     axial: float
     rpm: float
-    density: float = 7800.0  # kg/m^3, of the balls
+    density: float = STEEL.density  # kg/m^3, of the balls
     spin_law: str = "closed"
     models: str = DEFAULT
     held: Mapping[str, float] = field(default_factory=STRAIGHT.copy)
@@ -86,14 +72,14 @@ class Scene:
     oil_flow: CirculatingOil | None = None
     share: float = 1.0  # factor on the computed friction, set by `by_runs`
     # {azimuth of the first ball: last result}, where the next search begins
-    near: dict[float, Rest] = field(default_factory=dict)
+    near: dict[float, Running] = field(default_factory=dict)
 
     @property
     def ring(self) -> float:
         """Speed of the inner ring in rad/s."""
         return self.rpm * math.pi / 30
 
-    def over_pass(self, temperature: float, clearance: float) -> list[tuple[float, Rest]]:
+    def over_pass(self, temperature: float, clearance: float) -> list[tuple[float, Running]]:
         """Return [(share of the ball pass, result of `rest`)] for the positions of the balls that
         `ball_pass.over` selects. The loads must be symmetric to the plane of x and z."""
         return ball_pass.over(
@@ -102,7 +88,7 @@ class Scene:
             lambda rest: rest.state.inner.load,
         )
 
-    def rest(self, temperature: float, clearance: float, phase: float = 0.0) -> Rest:
+    def rest(self, temperature: float, clearance: float, phase: float = 0.0) -> Running:
         """Compute the equilibrium and the films for oil at a temperature in degrees C and for a
         clearance in m, with the first ball at the azimuth `phase` in rad."""
         found = self.near[phase] = self._rest(
@@ -112,43 +98,27 @@ class Scene:
 
     def _rest(self, temperature, clearance, phase, near):
         fluid, ring = self.lubricant.at(temperature), self.ring
-        film = None if self.models == "paper" else FilmInGap(fluid, ring)
-        state, orbit = turning(
+        surfaces = contact_friction.surfaces(
+            self.bearing, self.size, fluid, ring, self.models, self.supply
+        )
+        return running.find(
             self.bearing,
             ring,
             self.load,
             self.axial,
-            held=self.held,
+            oil=inputs.Oil(
+                fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, self.roughness
+            ),
+            fluid=fluid,
+            film=None if self.models == "paper" else FilmInGap(fluid, ring),
+            friction=Friction(surfaces, self.spin_law, self.cage),
             clearance=clearance,
-            ball_density=self.density,
+            density=self.density,
+            near_motion=near and near.motion,
+            held=self.held,
             phase=phase,
-            film=film,
             near=near and near.rolling,
         )
-        oil = inputs.Oil(
-            fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, self.roughness
-        )
-        surfaces = friction_torque.surfaces(
-            self.bearing, self.size, fluid, ring, self.models, self.supply
-        )
-        if film and "z" not in self.held and thrust_motion.applies(self.bearing, state):
-            motion = thrust_motion.find(
-                self.bearing,
-                state,
-                oil,
-                fluid,
-                film,
-                surfaces,
-                near=near and near.motion,
-                clearance=clearance,
-                density=self.density,
-                spin_law=self.spin_law,
-                cage=self.cage,
-            )
-            moved = motion.state, motion.orbit, motion.films
-            return Rest(*moved, fluid, clearance, surfaces, motion, state)
-        films = lubricate(self.bearing, state, oil, ring, clearance, film and film.factor)
-        return Rest(state, orbit, films, fluid, clearance, surfaces, None, state)
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
         """Return the results of the scene at a temperature in degrees C and a clearance in m, as
@@ -158,10 +128,10 @@ class Scene:
         `heat.OilFlow`."""
         return self.figures(self.over_pass(temperature, clearance))
 
-    def figures(self, over: Sequence[tuple[float, Rest]]) -> dict[str, Any]:
+    def figures(self, over: Sequence[tuple[float, Running]]) -> dict[str, Any]:
         """Return the same results as `at`, computed from a given result of `over_pass`."""
         shares, rests = zip(*over)
-        lost = [self._losses(rest) for rest in rests]
+        lost = [rest.losses() for rest in rests]
 
         def mean(values):
             return np.average(values, axis=0, weights=shares)
@@ -194,21 +164,6 @@ class Scene:
             "drag": drag,
             "flow": self.flow(fluid, float(mean([np.mean(rest.orbit) for rest in rests]))),
         }
-
-    def _losses(self, rest):
-        return (rest.motion and rest.motion.losses) or friction_torque.losses(
-            self.bearing,
-            rest.state,
-            rest.films,
-            rest.fluid,
-            self.ring,
-            rest.orbit,
-            clearance=rest.clearance,
-            surfaces=rest.surfaces,
-            spin_law=self.spin_law,
-            ball_density=self.density,
-            cage=self.cage,
-        )
 
     def flow(self, fluid: Fluid, orbit: float) -> heat.OilFlow:
         """Return the oil flow for balls that orbit at `orbit` rad/s."""

@@ -84,12 +84,3 @@ def pressure(ellipse: Ellipse, modulus: float, load: Numbers) -> Numbers:
     """Return the largest pressure 1.5 Q/(pi a b) in Pa under `load` in N; zero without load."""
     kappa, _, second, radius = ellipse
     return laws.hertz_pressure(kappa, second, radius, modulus, load)
-
-
-def sphere_stiffness(modulus: float, radius: float) -> float:
-    """Return K = 4/3 E* sqrt(R*) in N/m^1.5 for two spheres, with E* in Pa, 1/E* = sum((1 -
-    nu^2)/E), and R* in m.
-
-    Equation 3 as printed in the paper has an additional factor 1/(1 - nu), which does not appear in
-    Hertz's theory."""
-    return laws.sphere_stiffness(2 * radius, 2 * radius, 2 * modulus)

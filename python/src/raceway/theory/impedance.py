@@ -19,13 +19,6 @@ from raceway.theory.capacitors import BearingCapacitors
 THINNEST, THICKEST = 1e-3, 1e3  # search range of `film_scale`, relative to the model's films
 
 
-def leak(resistivity: Numbers, paths: Numbers) -> Numbers:
-    """Return the resistance R in ohm between two surfaces in an oil of the given `resistivity` (ohm
-    m). `paths` in m is pi a b/h + I over the part that is filled with oil. If the filling is
-    uniform, R C = rho eps_0 eps for any geometry."""
-    return resistivity / paths
-
-
 def impedance(
     capacitance: Numbers, frequency: Numbers, resistance: Numbers = np.inf
 ) -> complex | np.ndarray:

@@ -4,7 +4,6 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from raceway.arrays import Numbers
 from raceway.core import laws
@@ -78,12 +77,3 @@ def spall_length(
     2.000e-03 m
     """
     return 2 * entrainment(bearing, spin, angle) * np.asarray(seconds)
-
-
-def orbital_speed(x: ArrayLike, y: ArrayLike, vx: ArrayLike, vy: ArrayLike) -> Numbers:
-    """Return the orbital speed (x v_y - y v_x)/r^2 in rad/s of points at `x`, `y` (m) from the
-    axis. Raises `ValueError` for a point on the axis."""
-    squared = np.square(x) + np.square(y)
-    if np.any(squared == 0):
-        raise ValueError("a ball is on the bearing's axis")
-    return (x * vy - y * vx) / squared

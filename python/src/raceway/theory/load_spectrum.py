@@ -8,12 +8,12 @@ speeds n_i and p = 3 for ball bearings (makers' catalogues: NSK, average of fluc
 guide, 4.4).
 """
 
-import csv
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from raceway import files
 from raceway.errors import InputError, RacewayError
 from raceway.files import FilePath
 from raceway.rows import aligned
@@ -50,13 +50,7 @@ def read(path: FilePath) -> tuple[list[Duty], list[dict[str, float]]]:
     The first line contains names from `COLUMNS`, including rpm, and each point has a row. The table
     of a sweep has additional columns. Raises `InputError` with the offending point and value, and
     also if a point of a sweep is unfinished or has no equivalent load."""
-    try:
-        with open(path, newline="", encoding="utf-8-sig") as file:
-            rows = [row for row in csv.reader(file) if any(row) and row[0].lstrip()[:1] != "#"]
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise InputError(
-            f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
-        ) from None
+    rows = [row for _, row in files.csv_rows(path, InputError)]
     head = [name.strip() for name in rows[0]] if rows else []
     swept = {"point", "status"} <= set(head)
     if not swept and (unknown := [name for name in head if name not in COLUMNS]):

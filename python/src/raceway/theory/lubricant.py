@@ -136,12 +136,6 @@ class Lubricant:
         )
 
 
-def roelands_exponent(viscosity: Numbers, pressure_viscosity: Numbers) -> Numbers:
-    """Return the exponent z = 1.96e8 xi/(ln eta_0 + 9.67), with which Roelands and Barus have equal
-    slopes at p = 0."""
-    return laws.roelands_exponent(viscosity, pressure_viscosity)
-
-
 def roelands(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers) -> Numbers:
     """Return the viscosity eta in Pa s under `pressure` p in Pa (Roelands 1966): ln eta = ln eta_0
     + (ln eta_0 + 9.67) ((1 + p/1.96e8)^z - 1)."""

@@ -38,23 +38,11 @@ def inlet(length: float, h_c: Numbers, b: Numbers, r_x: Numbers) -> Numbers:
     return laws.rolling_inlet(length, h_c, b, r_x)
 
 
-def couple(force: Numbers, r_x: Numbers) -> Numbers:
-    """Return the couple 2 f R_x in N m of a hydrodynamic force f. Its power at Omega = u/R_x is 2 f
-    u."""
-    return 2 * force * r_x
-
-
 def hysteresis(load: Numbers, b: Numbers, loss: float) -> Numbers:
     """Return the couple alpha Q 2b/(3 pi) in N m for a load Q in N and a semi-axis b along rolling
     in m. `loss` is alpha, which is 0.005 to 0.05 for steel (Schwarz et al. 2023; Johnson 1985,
     section 9.4).
 
-    This is the couple of a line contact; see also `hysteresis_strips`.
+    This is the couple of a line contact.
     """
     return laws.hysteresis_couple(loss, load, b)
-
-
-def hysteresis_strips(load: Numbers, b: Numbers, loss: float) -> Numbers:
-    """Return 3/16 alpha Q b in N m, the couple of a line contact integrated strip by strip over the
-    ellipse, which is 12 % less than `hysteresis`."""
-    return 3 / 16 * loss * load * b

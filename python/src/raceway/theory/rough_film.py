@@ -37,22 +37,6 @@ def factor(ratio: Numbers) -> Numbers:
     return laws.rough_film_factor(1 / np.asarray(ratio))
 
 
-def gauss_cut(ratio: Numbers, cut: float = 3.0) -> Numbers:
-    """Return the `factor` for a Gaussian height that is cut at `cut` sigmas and renormalised, as a
-    reference for the gamma distribution. Raises `ValueError` unless L > `cut`: if the gap can be
-    zero, the mean is infinite.
-
-    >>> [round(float(gauss_cut(L)), 4) for L in (4.0, 5.0, 6.0, 10.0)]
-    [1.0755, 1.0441, 1.0294, 1.01]
-    """
-    ratio = np.asarray(ratio, float)
-    if not np.all(ratio > cut):
-        raise ValueError(f"h/sigma = {ratio} must be above the cut, {cut}")
-    z = cut * NODES
-    weight = WEIGHTS * np.exp(-z * z / 2)
-    return (weight / weight.sum() * ratio[..., None] / (ratio[..., None] + z)).sum(-1)[()]
-
-
 def clipped(ratio: Numbers, boundary: Numbers) -> Clipped:
     """Compute `Clipped` for a Gaussian gap. The surfaces touch where the gap is below `boundary`
     sigmas, which represents a boundary film of 2 to 10 nm. Raises `ValueError` if `boundary` is not

@@ -20,6 +20,7 @@ from raceway.errors import NoEquilibrium
 from raceway.theory import beam, static
 from raceway.theory.beam import FREEDOMS, Disc, Section, Steel
 from raceway.theory.bearing import Bearing
+from raceway.theory.steel import STEEL
 
 HELP = (1e8, 1e6, 1e4, 0.0)  # N/m, stiffnesses of the soft springs in successive steps
 STEPS = 60  # largest number of Newton iterations per stiffness
@@ -97,7 +98,7 @@ def rest(
     loads: Sequence[Load],
     *,
     speed: float = 0.0,
-    ball_density: float = 7800.0,
+    ball_density: float = STEEL.density,
 ) -> Rest:
     """Find the equilibrium of `shaft` on `seats` under `loads`. If a shaft `speed` in rad/s is
     given, the centrifugal loads of the balls are included.

@@ -76,12 +76,6 @@ def free_power(
     return FREE_SPEED * friction * load * edge_slip(speed, a, r_d, r_x)
 
 
-def creep(a: Numbers, r_d: Numbers, r_x: Numbers) -> Numbers:
-    """Return v0/u = a^2/(7.60 R_d R_x), where v0 is the width of the smoothed Coulomb law F = mu Q
-    s/v0 whose slope equals that in free rolling."""
-    return edge_slip(1.0, a, r_d, r_x) / LEAN
-
-
 def secant(
     slip: Numbers,
     load: Numbers,

@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 from raceway.arrays import Floats
 from raceway.theory import hertz, kinematics, static
 from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.steel import STEEL
 
 STEP = 0.2  # time step times the ball's angular frequency between its raceways
 LONGEST = 0.4  # longest spall, as a fraction of the ball spacing
@@ -35,7 +36,7 @@ def seconds_to_blow(
     heard: int | None = None,
     edge: float = 0.0,
     clearance: float = 0.0,
-    ball_density: float = 7800.0,
+    ball_density: float = STEEL.density,
 ) -> Floats:
     """Return the times (N,) in s from entry to impact for spalls of `lengths` (N,) in m on a
     `raceway` (`INNER` or `OUTER`).
@@ -135,7 +136,7 @@ def length(
     heard: int | None = None,
     edge: float = 0.0,
     clearance: float = 0.0,
-    ball_density: float = 7800.0,
+    ball_density: float = STEEL.density,
 ) -> Floats:
     """Return the lengths in m along rolling of spalls for which the times from entry to impact are
     `seconds` (any shape), for a ball that may lose its load. This is the inverse of

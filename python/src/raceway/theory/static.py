@@ -38,6 +38,7 @@ from raceway.theory.balance import Balance
 from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.small_motion import Linear
+from raceway.theory.steel import STEEL
 
 FREEDOMS = ("x", "y", "z", "rx", "ry")
 STRAIGHT = {"rx": 0.0, "ry": 0.0}
@@ -102,7 +103,7 @@ def equilibrium(
     load_azimuth: float = 0.0,
     phase: float | Floats = 0.0,
     orbital_speed: float | Floats = 0.0,
-    ball_density: float = 7800.0,
+    ball_density: float = STEEL.density,
     finite_shift: bool = False,
     film: FilmInGap | None = None,
     near: Equilibrium | None = None,

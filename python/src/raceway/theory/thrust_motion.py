@@ -31,10 +31,10 @@ from raceway.theory import (
     asperity,
     attitude,
     cage_drag,
+    contact_friction,
     drag,
     film,
     film_gap,
-    friction_torque,
     hertz,
     rolling,
     sliding,
@@ -42,11 +42,13 @@ from raceway.theory import (
 )
 from raceway.theory.bearing import INNER, OUTER, Bearing, Layout
 from raceway.theory.cage_drag import CageRing
+from raceway.theory.contact_friction import Surfaces
 from raceway.theory.contact_law import FilmInGap
-from raceway.theory.friction_torque import Losses, Surfaces
+from raceway.theory.friction_torque import Losses
 from raceway.theory.lubricant import Fluid
 from raceway.theory.lubrication import Lubrication, lubricate, turning
 from raceway.theory.static import Equilibrium, contacts
+from raceway.theory.steel import STEEL
 
 SIDES = (INNER, OUTER)
 OUT = np.array([[-1.0], [1.0]])  # radial direction from ball to raceway at zero contact angle
@@ -178,7 +180,7 @@ class _Balance:
         width = np.maximum(edge, sliding.LEAST)
         past = slides - sliding.FREE**2 * rolls * curve  # relative to free rolling
         slid = np.sqrt((sliding.FREE_SPEED * edge) ** 2 + past**2 + across**2)
-        friction = friction_torque.coefficient(
+        friction = contact_friction.coefficient(
             self.surfaces, self.fluid, share, hertz.pressure(ellipse, modulus, load), slid, h_c
         )
         limit, forward = friction * load, np.where(rolls < 0, -1.0, 1.0)
@@ -200,7 +202,7 @@ class _Balance:
             slip = kept + shares.slip * (slip - kept)
         # couples are proportional to the speed below 1 mm/s, as in a run
         near = rolls * r_x / np.maximum(np.abs(rolls) * r_x, 1e-3)
-        force = friction_torque.rolling_force(
+        force = contact_friction.rolling_force(
             body, self.fluid, self.surfaces, r_x, r_y, h_c, b, load, speed
         )
         steel = rolling.hysteresis(load, b, self.surfaces.loss)
@@ -300,7 +302,7 @@ def find(
     *,
     near: Motion | None = None,
     clearance: float = 0.0,
-    density: float = 7800.0,
+    density: float = STEEL.density,
     spin_law: str = "closed",
     cage: CageRing | None = None,
 ) -> Motion:

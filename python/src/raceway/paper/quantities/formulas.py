@@ -7,9 +7,9 @@ from raceway.paper import cases, theory
 from raceway.paper.book import Book
 from raceway.theory import capacitance, damping, film, hertz, kinematics
 from raceway.theory.bearing import INNER, OUTER
+from raceway.theory.steel import STEEL
 
 CAGE_BALL = 4.19e-3  # m, R_z (table 1)
-STEEL = 7800.0  # kg/m3
 WIDTH = 18e-3  # m, width of a 6208 (ISO 15)
 
 
@@ -45,7 +45,7 @@ def _same(book, q):
     h_min = theory.contact(b, oil, INNER, q, 0.41).h_min
     pressures = np.linspace(0, 3e9, 301)
     coaxial = 2 * np.pi * WIDTH / np.log(b.outer_radius / b.inner_radius)
-    mass = 4 / 3 * np.pi * b.ball_radius**3 * STEEL
+    mass = 4 / 3 * np.pi * b.ball_radius**3 * STEEL.density
     result = {
         "geometric_clearance": 2 * (b.outer_radius - b.inner_radius - diameter),
         "pocket_gap": 2 * radius * np.sin(np.pi / 18) - b.ball_radius - CAGE_BALL,

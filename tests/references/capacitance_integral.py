@@ -11,12 +11,11 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.special import elliprd, elliprf
-
 from raceway.arrays import Floats, Numbers
 from raceway.theory import hertz
 from raceway.theory.bearing import INNER, Bearing
 from raceway.theory.groove_width import shoulder_angle
+from scipy.special import elliprd, elliprf
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
 # all in e-folds of the distance from an edge: first point, last point and step size along x; depth
@@ -155,7 +154,7 @@ def rigid_arc(
 
 
 def beside(ratio: ArrayLike) -> Numbers:
-    """Return G(H) of `capacitance_outside.beside` by numerical integration over strips of a line
+    """Return G(H) of `laws.gap_beside` by numerical integration over strips of a line
     contact across the ellipse."""
     ratio = np.atleast_1d(np.asarray(ratio, float))
     y, weight = _inward(1.0, 1.0)

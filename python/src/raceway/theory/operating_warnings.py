@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Warnings about the results of a bearing at one operating point, and the range of its torque."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway.arrays import Floats
+from raceway.theory import ball_motion, life, validity
+from raceway.theory.bearing import Bearing
+from raceway.theory.excursion import Excursion
+from raceway.theory.running import Running
+
+
+class OfFriction(NamedTuple):
+    """How the friction of balls limits the results of statics."""
+
+    gyroscopic: float  # largest friction coefficient that balls need against gyroscopic moments
+    ends: tuple[float, float]  # smallest and largest torque of runs divided by that of statics
+    warnings: list[str]
+
+
+def wide_grooves(body: Bearing) -> list[str]:
+    """Return a list with a warning that the rating used for the life applies only to narrower
+    grooves, which is empty if the grooves are narrow enough."""
+    if min(wide := life.wide_grooves(body)) >= 1 - 1e-9:
+        return []
+    return [
+        "groove radii above {:g} (inner) and {:g} (outer) of the ball diameter reduce the load"
+        " ratings of the balls to {:.0%} and {:.0%} of those that follow from C in the file".format(
+            *life.CONFORMITY, *wide
+        )
+    ]
+
+
+def of_friction(run: Running, friction: Floats, ahead: Excursion | None) -> OfFriction:
+    """Return the `OfFriction` of a bearing with the coefficients `friction` (C, Z), whose balls run
+    `ahead` of their cage or lag behind it."""
+    state = run.rolling
+    needed = ball_motion.gyroscopic(run.bearing, state, run.ring, run.rolling_orbit, run.density)
+    needed = needed * np.atleast_2d(state.inner.heavy).any(0)
+    *ends, torque = validity.torque_range(_doubts(state, friction, needed, ahead))
+    sliding = _sliding(state, friction, needed, run.motion is not None)
+    return OfFriction(needed.max(), tuple(ends), sliding + torque)
+
+
+def _doubts(state, friction, needed, ahead):
+    """Return the values on which the accuracy of the friction torque depends, with the names in
+    `validity.TORQUE`."""
+    sides = (state.inner, state.outer)
+    tilted = any(np.any(np.abs(one.angle[one.heavy]) > 1e-3) for one in sides)
+    return dict(
+        pockets=0.0 if ahead is None else ahead.needed / ahead.play,
+        gyroscopic=(needed / _available(state, friction)).max(),
+        unloaded=np.mean(~np.atleast_2d(state.inner.heavy).any(0)) if tilted else 0.0,
+    )
+
+
+def _available(state, friction):
+    """Return the mean friction coefficient (Z,) of the contacts of each ball."""
+    load = np.vstack([state.inner.load, state.outer.load])
+    return np.maximum((friction * load).sum(0), 1e-300) / np.maximum(load.sum(0), 1e-300)
+
+
+def _sliding(state, friction, needed, included):
+    """Return a list with a warning if friction cannot hold balls against their gyroscopic moment;
+    `included` says whether the state of these balls was solved for."""
+    slide = needed > _available(state, friction)
+    if not slide.any():
+        return []
+    where = "around a ring that is free in its plane" if included else "in a run"
+    return [
+        f"the friction of {slide.sum()} balls is below the coefficient of {needed.max():.2g} that"
+        f" their gyroscopic moment requires: they slide across their grooves, and {where} they may"
+        " skid and dissipate more"
+    ]
