@@ -32,7 +32,7 @@ def test_formulas(host, tmp_path):
     keep = f"fix keep all bearing/checkpoint 100 {tmp_path}/run"
     deck.write_text(BOX + BEARING + RISING + SCENE + f"{keep}\n{RUN}write_restart {kept}\n")
     succeed(deck, host=host)
-    read = f"{READ}read_restart {kept}\nneighbor 2.0e-3 bin\nneigh_modify delay 0 every 20\n"
+    read = READ.format(kept)
     for name, more in MORE.items():
         deck.write_text(read + RISING + more + SCENE + f"{keep} resume yes\n{RUN}")
         if name in REFUSED:
@@ -52,7 +52,7 @@ def test_builds(host, tmp_path):
     at = whole.index(mark)
     number = at + len(mark)
     assert whole.count(mark) == 1 and whole[number : number + 4] == b"\6\0\0\0"
-    deck.write_text(f"{READ}read_restart {kept}\n")
+    deck.write_text(READ.format(kept))
     for content, cause in (
         (whole[:number] + b"\1" + whole[number + 1 :], "has layout 1 and was written by another"),
         (whole[:at] + whole[number + 4 :], "has no layout number and was written by another build"),
