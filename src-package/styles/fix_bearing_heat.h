@@ -92,6 +92,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   void enter(Stage);
   raceway::HeatPass mean_pass() const;
   void check_paths() const;
+  void jump_if_all_are_ready();
   static void jump_together(const std::vector<FixBearingHeat *> &);
   void jump(const raceway::HeatControl &);
   void write_row(const Row &);

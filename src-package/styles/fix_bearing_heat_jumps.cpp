@@ -56,8 +56,17 @@ void FixBearingHeat::end_of_step()
       break;
     default: break;
   }
-  const auto ready = [](const FixBearingHeat *f) { return f->now_.stage == READY; };
-  if (std::all_of(together_.begin(), together_.end(), ready)) jump_together(together_);
+  if (now_.stage == READY) jump_if_all_are_ready();
+}
+
+// A bearing that is steady since before others were heated keeps its temperatures.
+void FixBearingHeat::jump_if_all_are_ready()
+{
+  std::vector<FixBearingHeat *> ready;
+  for (FixBearingHeat *f : together_)
+    if (f->now_.stage == READY) ready.push_back(f);
+    else if (f->now_.stage != STAY) return;
+  jump_together(ready);
 }
 
 // Returns the mean values of the last ball pass.

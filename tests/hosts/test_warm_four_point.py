@@ -2,6 +2,8 @@
 """The temperatures of two four-point bearings jump while they are recorded. The record is the same
 in all hosts, on any number of ranks, in any order of the fixes, and for any division of the run."""
 
+import re
+
 import pytest
 from host import deck_file, succeed
 from scipy.io import netcdf_file
@@ -93,3 +95,21 @@ def test_the_order_of_the_fixes(tmp_path, whole, order):
     """A cage follows the rings of its own bearing out of their plane wherever its fix is."""
     names = list(FIXES)
     assert record(tmp_path, fixes=[names[k] for k in order]) == whole
+
+
+def test_a_bearing_that_is_heated_later(tmp_path):
+    """A bearing warms up even if it is heated only after another one has become steady, which keeps
+    its temperature."""
+    fixes = "\n".join(FIXES[name] for name in ("rings", "heat q", "move"))
+    tell = 'print "{} $(f_heat_q) $({})"\n'
+    runs = f"run 15000\n{tell.format('FIRST', 0)}{FIXES['heat p']}\nrun 3000\n"
+    text = DECK.format(
+        begin=BEGIN, groups=GROUPS, fixes=fixes, runs=runs + tell.format("LATER", "f_heat_p")
+    )
+    text = re.sub(r"(?m)^fix (cap|record).*\n", "", text).replace("cage ring", "cage no")
+    text = re.sub(r"cooling 0\.\d", "cooling 5", text)
+    done = succeed(deck_file(tmp_path, text))
+    found = re.findall(r"(?m)^(?:FIRST|LATER) (\S+) (\S+)", done.text)
+    (steady, _), (kept, later) = ((float(a), float(b)) for a, b in found)
+    assert kept == steady > 30
+    assert later > 25
