@@ -39,7 +39,7 @@ struct InstantBody {
 };
 
 struct InstantRing {
-  double of[of_ring::N];    // values from of_ring::RING onwards
+  double of[of_ring::AZ + 1];    // values from of_ring::RING onwards
 };
 
 // Functions that are called for the parts of a bearing, first for the contacts, ball by ball, and

@@ -59,7 +59,8 @@ void FixBearingHeat::end_of_step()
   if (now_.stage == READY) jump_if_all_are_ready();
 }
 
-// A bearing that is steady since before others were heated keeps its temperatures.
+// Lets the temperatures of all bearings jump if each of them is ready or steady. Steady bearings
+// keep their temperatures.
 void FixBearingHeat::jump_if_all_are_ready()
 {
   std::vector<FixBearingHeat *> ready;

@@ -20,7 +20,7 @@ struct RingView {
   raceway::Vec3 force, moment, acceleration;
 };
 
-// Sets all values of of_ring::list (core/figures/bearing_columns.h).
+// Sets of[of_ring::RING] to of[of_ring::AZ] (core/figures/bearing_columns.h).
 void ring_values(const RingView &, const raceway::LabAxes &, double *of);
 
 // Stores accelerations at the start of a run. Must be called before ring_values().

@@ -45,7 +45,7 @@ GYROSCOPIC = {
     "1:1": (25, 6, 174, 174, 0.0, 8000, 100),
 }
 UNLOADED = {
-    # at a contact angle of 40 degrees, an unloaded ball climbs over the shoulder in one of ten runs
+    # at a contact angle of 40 degrees, an unloaded ball climbs over its shoulder in some runs
     "two of four balls": (30, 4, 790, 263, 0.0, 8000, 100),
     "slow": (40, 4, 149, 50, 0.0, 1500, 40),
     "fast": (25, 6, 1185, 395, 0.0, 12000, 60),

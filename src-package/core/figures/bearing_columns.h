@@ -13,7 +13,7 @@ using raceway::Column;
 
 // ---- compute bearing/ball, in addition to the columns of its two contacts
 namespace of_ball {
-enum { AZIMUTH, ORBIT, TURN_W, TURN_X, N = TURN_X + 3 };
+enum { AZIMUTH, ORBIT, TURN_W, TURN_X, TURN_Y, TURN_Z, N };
 const Column list[N] = {
     {"azimuth", "rad", "azimuth of the ball about the bearing axis, measured from the lab x axis"},
     {"orbit", "rad/s", "speed of the ball's centre about the ring's axis"},
@@ -29,20 +29,29 @@ inline bool needs_turn(int k) { return k >= TURN_W; }
 
 // ---- motion of a ring, and loads on the ring
 namespace of_ring {
-enum {    // of most vectors, only the first component
+enum {
   RING,
   X,
   Y,
   Z,
   VX,
-  SPIN = VX + 3,
+  VY,
+  VZ,
+  SPIN,
   ANGLE,
   TILT_1,
-  FX = TILT_1 + 2,
-  MX = FX + 3,
-  TORQUE = MX + 3,
+  TILT_2,
+  FX,
+  FY,
+  FZ,
+  MX,
+  MY,
+  MZ,
+  TORQUE,
   AX,
-  N = AX + 3
+  AY,
+  AZ,
+  N
 };
 const Column list[N] = {
     {"ring", "", "atom number of the ring", raceway::has_none, as_whole},

@@ -14,21 +14,34 @@ using raceway::Column;
 // ---- fix bearing/ring, one row per ring; the radial axes are the two axes of the lab frame that
 // are normal to the bearing axis
 namespace of_fix_ring {
-enum {    // of most vectors, only the first component
+enum {
   X,
   Y,
   Z,
   VX,
-  TILT1 = VX + 3,
-  SPIN = TILT1 + 2,
+  VY,
+  VZ,
+  TILT1,
+  TILT2,
+  SPIN,
   ANGLE,
   FX,
-  MX = FX + 3,
-  TORQUE = MX + 3,
+  FY,
+  FZ,
+  MX,
+  MY,
+  MZ,
+  TORQUE,
   LOAD_X,
-  SUPPORT_X = LOAD_X + 3,
-  AX = SUPPORT_X + 3,
-  N = AX + 3
+  LOAD_Y,
+  LOAD_Z,
+  SUPPORT_X,
+  SUPPORT_Y,
+  SUPPORT_Z,
+  AX,
+  AY,
+  AZ,
+  N
 };
 const Column list[N] = {
     {"x", "m", "displacement along x since the start"},

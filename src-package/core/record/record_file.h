@@ -29,7 +29,7 @@ class RecordFile {
   enum Kind { BALL, CONTACT, CAGE, RING, END };
   // number of temperatures per bearing, which are the columns of of_fix_heat from INNER to OIL
   enum { TEMPERATURES = of_fix_heat::OIL + 1 - of_fix_heat::INNER };
-  enum { MOTION = 9, FIRST_OF_RING = of_ring::X, RING_VALUES = of_ring::N - of_ring::X };
+  enum { MOTION = 9, FIRST_OF_RING = of_ring::X, RING_VALUES = of_ring::AZ + 1 - of_ring::X };
 
   RecordFile(const RecordLayout &, const Content &);
 

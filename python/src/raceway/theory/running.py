@@ -20,7 +20,7 @@ from raceway.theory.thrust_motion import Motion
 
 
 class Friction(NamedTuple):
-    """What friction depends on, besides loads and films; as in `friction_torque.losses`."""
+    """Surfaces, spin law and cage, which determine the friction (`friction_torque.losses`)."""
 
     surfaces: Surfaces
     spin_law: str = "closed"
