@@ -10,6 +10,7 @@
 #include "fix_bearing_capacitance.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
+#include "run_phase.h"
 
 #include <algorithm>
 #include <map>

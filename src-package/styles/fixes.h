@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Finds the fixes of one style and checks the order in which the host calls fixes, and
-// when they take samples.
+// Finds the fixes of one style and checks the order in which the host calls fixes.
 #pragma once
 
-#include "../core/settings/arguments.h"
 #include "bearing_compat.h"
 
 #include <vector>
@@ -34,14 +32,6 @@ inline void provide_values(LAMMPS_NS::Fix &fix, int n, int every = 1)
   fix.size_vector = n;
   fix.extscalar = fix.extvector = 0;
   fix.global_freq = every;
-}
-
-// Stops with an error if a fix takes samples within steps, but not in every step.
-inline void check_within(const Arguments &args, int within, int every)
-{
-  if (within > 1 && every != 1)
-    args.fail("'within' takes samples evenly within every step: N must be 1, not " +
-              std::to_string(every));
 }
 
 // Stops with an error unless the host calls `first` before `second` in every hook that both have.

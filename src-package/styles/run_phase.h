@@ -15,6 +15,14 @@ struct Sampling {
   int every = 1, within = 1;
 };
 
+// Stops with an error if a fix takes samples within steps, but not in every step.
+inline void check_within(const Arguments &args, int within, int every)
+{
+  if (within > 1 && every != 1)
+    args.fail("'within' takes samples evenly within every step: N must be 1, not " +
+              std::to_string(every));
+}
+
 class WaitsForRun {
  public:
   bool waits() const { return waits_; }
