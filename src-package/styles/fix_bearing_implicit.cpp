@@ -121,7 +121,6 @@ void FixBearingImplicit::init()
   find_rings();
   instants_ = bearing::Instants();
   capacitors_.clear();
-  readers_.clear();
   if (pair_->coefficients().smooth_friction(creep_))
     bearing::print_line(lmp, bearing::name_of(*this) + ": friction smoothed over a creep of " +
                                  text(creep_) + " of the entrainment speed");

@@ -24,7 +24,6 @@ FixStyle(bearing/implicit,FixBearingImplicit)
 
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -93,6 +92,7 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   void build();
   void begin_energy();
   void load(int part, const raceway::Vec3 &fall);
+  void turn_instants(int part);
   void load_bends(int part);
   void store_bends();
   void advance(OwnBearing &);
@@ -110,8 +110,7 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   raceway::CapacitorModel capacitors_of(const raceway::BearingModel &) const;
   bearing::Instants instants_;    // requested by all readers
   std::vector<Capacitors> capacitors_;
-  std::set<std::string> readers_;    // commands that have requested instants
-  double largest_ = HUGE_VAL;        // s, largest substep
+  double largest_ = HUGE_VAL;    // s, largest substep
   double creep_ = 0.01;
   double cage_ = 0.0;               // tolerance of cage balls, m, or 0
   double relative_ = NAN;           // relative tolerance; NAN if it is set by the pair

@@ -38,7 +38,6 @@ void FixBearingImplicit::want_instants(const Instants &i, const std::string &com
     capacitors_.push_back({i.capacitor, bearing::TagSet(i.balls)});
   instants_.number = i.number;
   instants_.states = instants_.states || i.states;
-  readers_.insert(command);
 }
 
 // Returns the capacitors that have been requested for the balls of a bearing.
@@ -57,41 +56,43 @@ raceway::CapacitorModel FixBearingImplicit::capacitors_of(const BearingModel &of
   return found;
 }
 
+// The solver's third axis is the bearing axis; contacts are read in the lab frame.
+void FixBearingImplicit::turn_instants(int p)
+{
+  if (!instants_.states) return;
+  const raceway::LabAxes axes = {pair_->coefficients().axis_index()};
+  for (raceway::BearingAtInstant &instant : solver_->instants[p])
+    for (raceway::BearingAtInstant::Contact &c : instant.contacts)
+      if (c.live) {
+        c.state.u = axes.lab(c.state.u);
+        c.state.t = axes.lab(c.state.t);
+      }
+}
+
 void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell) const
 {
   const raceway::LabAxes axes = {pair_->coefficients().axis_index()};
   for (int p = 0; p < static_cast<int>(solver_->own.size()); ++p) {
     const BearingModel &m = solver_->bearings.model(p);
-    const raceway::BearingInstants &at = solver_->own[p].integrator->instants();
-    const bool kept = readers_.size() > 1;
-    Solver::Unpacked &of = solver_->unpacked[kept ? (k - 1) * solver_->own.size() + p : 0];
-    if (!kept || of.step != update->ntimestep) {
-      of.step = update->ntimestep;
-      at.contacts(k, instants_.states, of.contacts);
-      if (instants_.states)
-        for (raceway::BearingInstants::ContactAtInstant &c : of.contacts) {
-          c.state.u = axes.lab(c.state.u);
-          c.state.t = axes.lab(c.state.t);
-        }
-    }
-    for (int g = 0; g < static_cast<int>(m.grooves.size()); ++g) {
-      const raceway::BearingModel::Groove &groove = m.grooves[g];
-      const raceway::BearingInstants::ContactAtInstant &c = of.contacts[g];
+    const raceway::BearingAtInstant &of = solver_->instants[p][k - 1];
+    for (size_t g = 0; g < m.grooves.size(); ++g) {
+      const BearingModel::Groove &groove = m.grooves[g];
+      const raceway::BearingAtInstant::Contact &c = of.contacts[g];
       tell.contact({static_cast<tag_t>(m.bodies[groove.body].tag),
                     static_cast<tag_t>(m.rings[groove.ring].tag), *groove.physics, c.orbit, c.live,
                     c.load, c.capacitor, c.state});
     }
     if (tell.body)
-      for (int b = 0; b < static_cast<int>(m.bodies.size()); ++b) {
-        const raceway::BodyPose pose = at.body(k, b);
+      for (size_t b = 0; b < m.bodies.size(); ++b) {
+        const raceway::BearingAtInstant::Body &now = of.bodies[b];
         // the spin of a cage ball does not change in the step
-        const raceway::Vec3 &w = m.bodies[b].spins ? pose.w : solver_->bearings.bodies(p)[b].w;
+        const raceway::Vec3 &w = m.bodies[b].spins ? now.w : solver_->bearings.bodies(p)[b].w;
         tell.body(
-            {static_cast<tag_t>(m.bodies[b].tag), axes.lab(pose.x), axes.lab(pose.v), axes.lab(w)});
+            {static_cast<tag_t>(m.bodies[b].tag), axes.lab(now.x), axes.lab(now.v), axes.lab(w)});
       }
     if (tell.ring)
-      for (int r = 0; r < static_cast<int>(m.rings.size()); ++r) {
-        const raceway::BearingInstants::RingAtInstant &now = at.ring(k, r);
+      for (size_t r = 0; r < m.rings.size(); ++r) {
+        const raceway::BearingAtInstant::Ring &now = of.rings[r];
         bearing::InstantRing ring;
         bearing::ring_values({static_cast<double>(m.rings[r].tag), now.pose, now.pose.spin,
                               now.force, now.moment, now.acceleration},

@@ -27,14 +27,9 @@ struct FixBearingImplicit::Solver {
   bearing::HomeBearings bearings;
   std::vector<OwnBearing> own;    // one entry per bearing whose home is on this rank
   std::vector<std::unique_ptr<raceway::BearingIntegrator>> integrators;
-  // Contacts at an instant. If there is only one reader, it uses one buffer for all instants, which
-  // stays in the caches. If there are several readers, the contacts of the whole step are stored,
-  // ordered by instant and then by bearing.
-  struct Unpacked {
-    bigint step = -1;
-    std::vector<raceway::BearingInstants::ContactAtInstant> contacts;
-  };
-  std::vector<Unpacked> unpacked;
+  // indexed by bearing and by instant; kept between neighbour builds, so that memory is not
+  // allocated again
+  std::vector<std::vector<raceway::BearingAtInstant>> instants;
 };
 
 }    // namespace LAMMPS_NS

@@ -62,20 +62,23 @@ void FixBearingImplicit::build()
     const auto found = std::find_if(earlier.begin(), earlier.end(), fits);
     return found == earlier.end() ? nullptr : std::move(*found);
   };
-  all.unpacked.assign(readers_.size() > 1 ? (instants_.number - 1) * all.bearings.size() : 1, {});
-  // A solver that is shared by identical bearings stays in the caches. An energy balance and
-  // instants belong to one bearing and are needed after its step, so if they are requested, each
-  // bearing has a separate solver.
-  const bool shared = !energy_wanted_ && instants_.number < 2;
+  all.instants.resize(all.bearings.size());
+  // A solver that is shared by identical bearings stays in the caches. An energy balance belongs to
+  // one bearing and is needed after its step, so if it is requested, each bearing has a separate
+  // solver.
+  const bool shared = !energy_wanted_;
   using Kind = std::tuple<const void *, size_t, int>;    // sufficient to distinguish most kinds
   std::map<Kind, std::vector<std::pair<int, BearingIntegrator *>>> kinds;
   for (int p = 0; p < all.bearings.size(); ++p) {
     const BearingModel &model = all.bearings.model(p);
     auto &kind = kinds[{model.grooves.empty() ? nullptr : model.grooves.front().physics,
                         model.bodies.size(), model.rings.front().mover}];
+    const raceway::Instants instants = {instants_.number, instants_.states, capacitors_of(model)};
     const auto like =
-        std::find_if(shared ? kind.begin() : kind.end(), kind.end(),
-                     [&](const auto &one) { return alike(all.bearings.model(one.first), model); });
+        std::find_if(shared ? kind.begin() : kind.end(), kind.end(), [&](const auto &one) {
+          return one.second->instants().wanted() == instants &&
+                 alike(all.bearings.model(one.first), model);
+        });
     if (like != kind.end()) {
       all.own.push_back({like->second, 0.0, {}});
       continue;
@@ -89,7 +92,7 @@ void FixBearingImplicit::build()
       integrator = std::make_unique<BearingIntegrator>(of);
       integrator->keep_energy(energy_wanted_);
     }
-    integrator->instants().want({instants_.number, capacitors_of(model)});
+    integrator->instants().want(instants);
     all.integrators.push_back(std::move(integrator));
     all.own.push_back({all.integrators.back().get(), 0.0, {}});
     kind.push_back({p, all.integrators.back().get()});
@@ -148,7 +151,9 @@ void FixBearingImplicit::initial_integrate(int)
     // another home rank or into a restart file
     double &wish = bearings.wished_step(p);
     own[p].step = wish > 0.0 ? wish : largest_;
+    own[p].integrator->instants().write_to(solver_->instants[p]);
     advance(own[p]);
+    turn_instants(p);
     wish = own[p].step;
     own[p].integrator->store(bearings.bodies(p), bearings.rings(p));
     own[p].integrator->store_states(bearings.states(p).data());

@@ -81,10 +81,10 @@ def counts():
     return done.returncode == 0 and done.stderr.split(",")[0].strip().isdigit()
 
 
-def spent(tree, deck, variables, steps, instructions):
-    """Run a deck of this folder in a tree; return (user seconds, instructions or None)."""
-    words = [str(tree / "build/liggghts"), "-in", f"tests/bench/{deck}", "-log", "none"]
-    for name, value in {**variables, "steps": steps}.items():
+def program(tree, deck, variables, instructions):
+    """Run a deck in a tree; return (user seconds, instructions or None)."""
+    words = [str(tree / "build/liggghts"), "-in", str(deck), "-log", "none"]
+    for name, value in variables.items():
         words += ["-var", name, str(value)]
     with tempfile.NamedTemporaryFile("r") as report:
         if instructions:
@@ -102,8 +102,10 @@ def spent(tree, deck, variables, steps, instructions):
 def cost(tree, scene, instructions):
     """Return (seconds, instructions or None) for the last nine tenths of the steps."""
     _, (deck, steps), variables = scene
-    long = spent(tree, deck, variables, steps, instructions)
-    short = spent(tree, deck, variables, steps // 10, instructions)
+    long, short = (
+        program(tree, f"tests/bench/{deck}", {**variables, "steps": count}, instructions)
+        for count in (steps, steps // 10)
+    )
     return [a - b if instructions or k == 0 else None for k, (a, b) in enumerate(zip(long, short))]
 
 

@@ -124,6 +124,11 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
   place(pocket_);
   for (std::vector<size_t> *list : {&contact_, &ball_, &cage_, &ring_, &bearing_, &heat_})
     std::for_each(list->begin(), list->end(), place);
+  for (size_t k = 0; k < layout_.rings.size(); ++k)
+    if (layout_.rings[k].raceway == RecordLayout::cage_ring) cage_rings_.push_back(k);
+  std::stable_sort(cage_rings_.begin(), cage_rings_.end(), [this](size_t a, size_t b) {
+    return layout_.rings[a].bearing < layout_.rings[b].bearing;
+  });
   shares_.resize(n);
   rails_.resize(m);
   lands_.resize(layout_.rings.size());
@@ -200,16 +205,15 @@ void RecordFile::sum_up()
 {
   const std::vector<Figure> &figures = record_figures();
   size_t ball = 0, cage = 0;
+  auto ring = cage_rings_.begin();
   for (size_t b = 0; b < layout_.bearings.size(); ++b) {
     BearingFigures sum;
     for (; ball < shares_.size() && layout_.balls[ball].bearing == static_cast<int>(b); ++ball)
       sum.add(shares_[ball]);
     for (; cage < rails_.size() && layout_.cage[cage].bearing == static_cast<int>(b); ++cage)
       sum.cage_loss += rails_[cage];
-    for (size_t ring = 0; ring < lands_.size(); ++ring)
-      if (layout_.rings[ring].bearing == static_cast<int>(b) &&
-          layout_.rings[ring].raceway == RecordLayout::cage_ring)
-        sum.cage_loss += lands_[ring];
+    for (; ring != cage_rings_.end() && layout_.rings[*ring].bearing == static_cast<int>(b); ++ring)
+      sum.cage_loss += lands_[*ring];
     for (size_t k = 0; k < figures.size(); ++k)
       if (bearing_[k] != nowhere) put_real(sample_ + bearing_[k] + 8 * b, figures[k].value(sum));
   }

@@ -61,8 +61,9 @@ class RecordFile {
   unsigned char *sample_ = nullptr;    // the current sample, or null if nothing has been received
                                        // for it yet
   std::vector<BallFigures> shares_;
-  std::vector<double> rails_;    // W, for each cage ball
-  std::vector<double> lands_;    // W, for each ring
+  std::vector<double> rails_;         // W, for each cage ball
+  std::vector<double> lands_;         // W, for each ring
+  std::vector<size_t> cage_rings_;    // indices into layout_.rings, ordered by bearing
   size_t reported_ = 0;
 };
 

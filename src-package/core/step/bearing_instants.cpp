@@ -9,55 +9,27 @@ namespace raceway {
 
 void BearingInstants::want(const Instants &i)
 {
-  if (i.number == instants_.number && i.capacitor == instants_.capacitor) return;
+  if (i == instants_) return;
   instants_ = i;
   if (i.number < 2) return;
-  const size_t n = i.number - 1;
-  looks_.resize(n * b_.n_contacts);
-  capacitors_.resize(i.capacitor.permittivity > 0.0 ? n * b_.n_contacts : 0);
+  looks_.resize(b_.n_contacts);
+  capacitors_.resize(i.capacitor.permittivity > 0.0 ? b_.n_contacts : 0);
   surrounded_.clear();
   if (i.capacitor.surrounded())
     for (const BearingBodies::Track &t : b_.tracks)
       surrounded_.emplace_back(*t.physics, i.capacitor);
-  bodies_.resize(n * b_.groups.size());
-  rings_.resize(n * b_.rings.size());
   end_.resize(b_.groups.size());
 }
 
-RACEWAY_LANES void BearingInstants::contacts(int k, bool whole_states,
-                                             std::vector<ContactAtInstant> &to) const
+void BearingInstants::write_to(std::vector<BearingAtInstant> &to)
 {
-  to.resize(b_.contact_at.size());
-  ContactAtInstant nobody;    // used for lanes without a ball
-  for (int group = 0; group < b_.n_contacts; ++group) {
-    const int at = (k - 1) * b_.n_contacts + group;
-    const ContactLook &look = looks_[at];
-    ContactAtInstant *one[lanes];
-    for (int i = 0; i < lanes; ++i) {
-      const int groove = b_.groove_at[lanes * group + i];
-      one[i] = groove < 0 ? &nobody : &to[groove];
-    }
-    if (!capacitors_.empty())
-      lanes_apart(capacitors_[at].of,
-                  {&one[0]->capacitor, &one[1]->capacitor, &one[2]->capacitor, &one[3]->capacitor});
-    if (whole_states && any(look.live))
-      lanes_apart(look.state, {&one[0]->state, &one[1]->state, &one[2]->state, &one[3]->state});
-    for (int i = 0; i < lanes; ++i) {
-      ContactAtInstant &c = *one[i];
-      c.orbit = look.orbit[i];
-      c.live = look.live[i];
-      c.load = c.live ? look.state.load[i] : 0.0;
-      if (capacitors_.empty() || (!c.live && surrounded_.empty())) c.capacitor = {};
-    }
+  to_ = &to;
+  to.resize(instants_.number < 2 ? 0 : instants_.number - 1);
+  for (BearingAtInstant &one : to) {
+    one.contacts.resize(b_.contact_at.size());
+    one.bodies.resize(b_.slot.size());
+    one.rings.resize(b_.rings.size());
   }
-}
-
-BodyPose BearingInstants::body(int k, int body) const
-{
-  const int slot = b_.slot[body], lane = slot % lanes;
-  const Bodies &of = bodies_[(k - 1) * b_.groups.size() + slot / lanes];
-  const auto pick = [lane](const Vec3L &v) { return Vec3{v.x[lane], v.y[lane], v.z[lane]}; };
-  return {pick(of.x), pick(of.v), pick(of.w), {}};
 }
 
 Failure BearingInstants::pass(double h, double s0, double s1)
@@ -72,7 +44,7 @@ Failure BearingInstants::pass(double h, double s0, double s1)
   for (; failure == Failure::none && passed(); ++next_) {
     const double s = (double(next_) / n - s0) / (s1 - s0);
     move(h, s < 1.0 ? s : 1.0);
-    failure = look_at(next_, double(next_) / n);
+    failure = look_at(double(next_) / n, (*to_)[next_ - 1]);
   }
   put_back();
   return failure;
@@ -125,32 +97,76 @@ RACEWAY_LANES void BearingInstants::move(double h, double s)
       b_.kept[k].now[m] = b_.kept[k].from[m] + (kept_end_[k].now[m] - b_.kept[k].from[m]) * s;
 }
 
-// Evaluates instant k, which is at the fraction s of the host's step.
-RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
+// Evaluates the instant at the fraction s of the host's step.
+Failure BearingInstants::look_at(double s, BearingAtInstant &to)
 {
   Stage stage;
-  stage.looks = looks_.data() + (k - 1) * b_.n_contacts;
+  stage.looks = looks_.data();
   stage.gaps = !surrounded_.empty();
   const Failure failure = forces_.evaluate(stage);
   if (failure != Failure::none) return failure;
-  Bodies *body = bodies_.data() + (k - 1) * b_.groups.size();
-  for (const BodyGroup &g : b_.groups) {
-    const Vec3L x = g.now.place();
-    body->x = {x.x + b_.centre.x, x.y + b_.centre.y, x.z + b_.centre.z};
-    body->v = g.now.lab(g.v);
-    body->w = g.now.lab(g.w);
-    ++body;
+  if (!surrounded_.empty()) surrounded();
+  else if (!capacitors_.empty()) capacitors();
+  store_contacts(to.contacts);
+  store_bodies(to.bodies);
+  store_rings(s, to.rings);
+  return failure;
+}
+
+RACEWAY_LANES void BearingInstants::store_contacts(std::vector<BearingAtInstant::Contact> &to)
+{
+  BearingAtInstant::Contact nobody;    // used for lanes without a ball or without a state
+  for (int group = 0; group < b_.n_contacts; ++group) {
+    const ContactLook &look = looks_[group];
+    BearingAtInstant::Contact *one[lanes], *live[lanes];
+    for (int i = 0; i < lanes; ++i) {
+      const int groove = b_.groove_at[lanes * group + i];
+      one[i] = groove < 0 ? &nobody : &to[groove];
+      live[i] = look.live[i] ? one[i] : &nobody;
+    }
+    if (!capacitors_.empty())
+      lanes_apart(capacitors_[group].of,
+                  {&one[0]->capacitor, &one[1]->capacitor, &one[2]->capacitor, &one[3]->capacitor});
+    if (instants_.states && any(look.live))
+      lanes_apart(look.state, {&live[0]->state, &live[1]->state, &live[2]->state, &live[3]->state});
+    for (int i = 0; i < lanes; ++i) {
+      BearingAtInstant::Contact &c = *one[i];
+      c.orbit = look.orbit[i];
+      c.live = look.live[i];
+      c.load = c.live ? look.state.load[i] : 0.0;
+      if (capacitors_.empty() || (!c.live && surrounded_.empty())) c.capacitor = {};
+    }
   }
-  RingAtInstant *ring = rings_.data() + (k - 1) * b_.rings.size();
-  for (const RingBody &r : b_.rings) {
+}
+
+RACEWAY_LANES void BearingInstants::store_bodies(std::vector<BearingAtInstant::Body> &to)
+{
+  BearingAtInstant::Body nobody;    // used for padding
+  for (size_t k = 0; k < b_.groups.size(); ++k) {
+    const BodyGroup &g = b_.groups[k];
+    const Vec3L x = g.now.place();
+    const Bodies of = {
+        {x.x + b_.centre.x, x.y + b_.centre.y, x.z + b_.centre.z}, g.now.lab(g.v), g.now.lab(g.w)};
+    BearingAtInstant::Body *one[lanes];
+    for (int i = 0; i < lanes; ++i) {
+      const int body = b_.body_at[lanes * k + i];
+      one[i] = body < 0 ? &nobody : &to[body];
+    }
+    lanes_apart(of, one);
+  }
+}
+
+void BearingInstants::store_rings(double s, std::vector<BearingAtInstant::Ring> &to)
+{
+  for (size_t k = 0; k < b_.rings.size(); ++k) {
+    const RingBody &r = b_.rings[k];
     const Vec3 push = r.loose ? b_.force_on(r, s) : Vec3();
-    *ring++ = {r.now, r.force, r.moment, r.program.acceleration(push)};
+    to[k] = {r.now, r.force, r.moment, r.program.acceleration(push)};
   }
   for (const BearingBodies::Carried &c : b_.on_shafts) {
     const RingBody &shaft = b_.rings[c.shaft];
-    rings_[(k - 1) * b_.rings.size() + c.ring].acceleration =
-        carried_acceleration(shaft.program, shaft.now, b_.rings[c.ring].at, b_.force_on(shaft, s),
-                             b_.moment_on(shaft, s));
+    to[c.ring].acceleration = carried_acceleration(shaft.program, shaft.now, b_.rings[c.ring].at,
+                                                   b_.force_on(shaft, s), b_.moment_on(shaft, s));
   }
   for (ShaftBend &b : b_.bends) {
     const RingBody &shaft = b_.rings[b.shaft];
@@ -158,35 +174,35 @@ RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
                moment = b_.moment_on(shaft, s) + moment_of_modes(*b.modes, b.now, shaft.now.spin);
     const std::vector<double> &forces = b.forces(shaft.program, shaft.now, s);
     for (const ShaftBend::Seat &seat : b.seats)
-      rings_[(k - 1) * b_.rings.size() + seat.ring].acceleration =
+      to[seat.ring].acceleration =
           carried_acceleration(shaft.program, shaft.now, seat.at, push, moment) +
           bending_acceleration(*b.modes, *seat.station, forces);
   }
-  if (!surrounded_.empty()) surrounded(k);
-  else if (!capacitors_.empty()) capacitors(k);
-  return failure;
 }
 
-RACEWAY_LANES void BearingInstants::capacitors(int k)
+RACEWAY_LANES void BearingInstants::capacitors()
 {
-  const ContactLook *look = looks_.data() + (k - 1) * b_.n_contacts;
-  Capacitors *to = capacitors_.data() + (k - 1) * b_.n_contacts;
-  for (const BearingBodies::Track &track : b_.tracks)
-    for (int g = track.first; g < track.end; ++g, ++look, ++to)
-      if (any(look->live) && track.physics->facts().film)
-        to->of = film_capacitor(*track.physics, look->state, instants_.capacitor);
+  int contact = 0;    // index of the contact group
+  for (const BearingBodies::Track &track : b_.tracks) {
+    const bool film = track.physics->facts().film;
+    for (int g = track.first; g < track.end; ++g, ++contact) {
+      const ContactLook &look = looks_[contact];
+      if (film && any(look.live))
+        capacitors_[contact].of = film_capacitor(*track.physics, look.state, instants_.capacitor);
+    }
+  }
 }
 
-RACEWAY_LANES void BearingInstants::surrounded(int k)
+RACEWAY_LANES void BearingInstants::surrounded()
 {
-  const ContactLook *look = looks_.data() + (k - 1) * b_.n_contacts;
-  Capacitors *to = capacitors_.data() + (k - 1) * b_.n_contacts;
+  int contact = 0;    // index of the contact group
   for (size_t t = 0; t < b_.tracks.size(); ++t)
-    for (int g = b_.tracks[t].first; g < b_.tracks[t].end; ++g, ++look, ++to) {
+    for (int g = b_.tracks[t].first; g < b_.tracks[t].end; ++g, ++contact) {
+      const ContactLook &look = looks_[contact];
       // lanes without a ball count as live if any lane is live, so that all lanes are of the same
       // kind
-      const LaneMask spare = any(look->live) ? ~b_.groups[g].used : LaneMask{};
-      to->of = surrounded_[t].capacitor(look->state, look->live | spare, look->orbit);
+      const LaneMask spare = any(look.live) ? ~b_.groups[g].used : LaneMask{};
+      capacitors_[contact].of = surrounded_[t].capacitor(look.state, look.live | spare, look.orbit);
     }
 }
 

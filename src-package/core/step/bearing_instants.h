@@ -14,35 +14,46 @@ namespace raceway {
 // `number` is 0, there are no instants; if the permittivity is 0, no capacitances are computed.
 struct Instants {
   int number = 0;
+  bool states = false;    // true if the states of contacts are also requested
   CapacitorModel capacitor;
+
+  bool operator==(const Instants &i) const
+  {
+    return number == i.number && states == i.states && capacitor == i.capacitor;
+  }
 };
 
-class BearingInstants {
- public:
-  struct ContactAtInstant {
+// A bearing at an instant. The indices are those of the model.
+struct BearingAtInstant {
+  struct Contact {
     double orbit;                        // rad/s, speed of the ball about the ring's axis
     double load;                         // N
     bool live;                           // true if the contact has a state
     FilmCapacitorT<double> capacitor;    // 0 if not requested
-    ContactState state;                  // only if complete states are requested
+    ContactState state;                  // only if requested and live
   };
-  struct RingAtInstant {
+  struct Body {
+    Vec3 x, v, w;
+  };
+  struct Ring {
     RingPose pose;
     Vec3 force, moment;    // force (N) and moment (N m) of balls and cage on the ring
     Vec3 acceleration;     // m/s^2
   };
+  std::vector<Contact> contacts;    // indexed by groove
+  std::vector<Body> bodies;
+  std::vector<Ring> rings;
+};
 
+class BearingInstants {
+ public:
   BearingInstants(BearingBodies &b, BearingForces &f) : b_(b), forces_(f) {}
 
   void want(const Instants &);
-  // Results at instant k (from 1) of the last host step; other indices are those of the model.
-  void contacts(int k, bool whole_states, std::vector<ContactAtInstant> &) const;    // indexed by
-                                                                                     // groove
-  BodyPose body(int k, int body) const;
-  const RingAtInstant &ring(int k, int ring) const
-  {
-    return rings_[(k - 1) * b_.rings.size() + ring];
-  }
+  const Instants &wanted() const { return instants_; }
+  // Results go to `to`, which the caller keeps: alike bearings share a solver. Must be called
+  // before each host step.
+  void write_to(std::vector<BearingAtInstant> &to);
 
   // Evaluates the instants within a step of h seconds before the step is accepted. The step extends
   // from the fraction s0 to the fraction s1 of the host's step.
@@ -62,21 +73,22 @@ class BearingInstants {
   void keep();
   void put_back();
   void move(double h, double s);
-  Failure look_at(int k, double s);
-  void capacitors(int k);
-  void surrounded(int k);
+  Failure look_at(double s, BearingAtInstant &to);
+  void capacitors();
+  void surrounded();
+  void store_contacts(std::vector<BearingAtInstant::Contact> &to);
+  void store_bodies(std::vector<BearingAtInstant::Body> &to);
+  void store_rings(double s, std::vector<BearingAtInstant::Ring> &to);
 
   BearingBodies &b_;
   BearingForces &forces_;
   Instants instants_;
   int next_ = 1;
-  // The outer index is the instant; the inner one is the contact group (looks_, capacitors_), the
-  // body group (bodies_) or the ring (rings_).
+  std::vector<BearingAtInstant> *to_ = nullptr;
+  // indexed by contact group, at the instant that is being evaluated
   std::vector<ContactLook> looks_;
   std::vector<Capacitors> capacitors_;
   std::vector<SurroundedRaceway> surrounded_;    // indexed by track, if surroundings are requested
-  std::vector<Bodies> bodies_;
-  std::vector<RingAtInstant> rings_;
   // state at the end of the step, saved while the bearing is moved to an instant
   std::vector<Motion> end_;
   std::vector<BearingBodies::States> kept_end_;
