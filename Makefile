@@ -4,7 +4,9 @@
 #   make build   build the programs of all hosts: build/liggghts, build/lammps, build/raceway_plugin.so
 #   make lammps  build only the programs of LAMMPS
 #   make test    run everything that CI checks
-#   make bench   measure cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, resources of scenes, numerical and model error, error of capacitance, noise floor of vibration; write pages to build/bench
+#   make bench   measure cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record,
+#                a run of 2 GB, sweeps, resources of scenes, numerical and model error, error of capacitance, noise floor
+#                of vibration; write pages to build/bench
 #   make install-tree LIGGGHTS=/path     add the styles to an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree removes them
 #   make install-tree LAMMPS=/path       add them to a LAMMPS source tree as a package; uninstall-tree removes it
 #   make plugin LAMMPS=/path             build the styles as a plugin for your own LAMMPS, built or installed there

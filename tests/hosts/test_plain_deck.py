@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""inputs/in.6208 written in plain commands: with models paper, results are bitwise identical in all
-hosts and after a restart, and errors are reported."""
+"""inputs/in.6208 written in plain commands: with models paper, results are bitwise identical to
+those of an earlier program, and with the defaults a run settles by itself."""
 
 import hashlib
 
@@ -59,25 +59,11 @@ def digest(folder):
     return total.hexdigest()[:16]
 
 
-def same(one, other):
-    one, other = values(one), values(other)
-    assert one.keys() == other.keys()
-    assert [name for name in one if one[name] != other[name]] == []
-
-
 @pytest.mark.parametrize("name", CASES)
 def test_bits_of_the_paper(tmp_path, name):
     case, bits = CASES[name]
     succeed("inputs/in.6208", out=tmp_path, **{**SAME, **case})
     assert digest(tmp_path) == bits
-
-
-@pytest.mark.parametrize("host", ["lammps", "wheel"])
-def test_hosts(tmp_path, host):
-    case = dict(models="full", passes=1, axial=500)
-    for folder, program in (("one", "liggghts"), ("other", host)):
-        succeed("inputs/in.6208", out=tmp_path / folder, host=program, **case)
-    same(tmp_path / "one", tmp_path / "other")
 
 
 def test_settles_by_itself(tmp_path):

@@ -147,23 +147,6 @@ def test_deck_against_statics(tmp_path, rpm):
         np.testing.assert_allclose(found, theory, rtol=0, atol=bound * theory.max())
 
 
-def test_split_run_and_restart_are_bitwise(tmp_path):
-    deck = "tests/implicit/in.bits"
-    succeed(deck, out=tmp_path / "whole", first=60)
-    succeed(deck, out=tmp_path / "split", first=40, second=20)
-    succeed(deck, out=tmp_path / "half", first=40)
-    succeed(
-        deck,
-        out=tmp_path / "resumed",
-        first=20,
-        begin="resume",
-        **{"from": tmp_path / "half" / "restart"},
-    )
-    whole = frames(tmp_path / "whole" / "balls.dump")
-    assert frames(tmp_path / "split" / "balls.dump") == whole
-    assert frames(tmp_path / "resumed" / "balls.dump")[60] == whole[60]
-
-
 def test_cold_step_refines_by_itself(tmp_path):
     """If 5 kN is applied at once to a bearing with clearance, substeps become much shorter than the
     sample interval of 0.1 ms and then longer again. The motion after the impact agrees with

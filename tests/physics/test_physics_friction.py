@@ -20,24 +20,9 @@ def test_stribeck_ends():
 
 def test_stribeck_is_the_cubic():
     # s^2 (3 - 2 s) is the only cubic with these end values and with zero slope at both ends
-    for s in np.linspace(0.05, 0.95, 7):
+    for s in np.linspace(0.0, 1.0, 201):
         expected = 0.12 - 0.10 * (3 * s**2 - 2 * s**3)
         assert mu(0.8 + 2.1 * s) == pytest.approx(expected, rel=1e-14)
-
-
-@pytest.mark.parametrize("end", [0.8, 2.9])
-def test_stribeck_has_no_kink(end):
-    h = 1e-4
-    inside, outside = (abs(mu(end + side) - mu(end)) / h for side in (-h, h))
-    # mu is constant on one side of the end; on the other side, mu'' = 6 (mu_f - mu_b)/(l2 - l1)^2,
-    # so the difference quotient is mu'' h/2
-    assert sorted([inside, outside]) == pytest.approx(
-        [0, 0.5 * 6 * 0.10 / 2.1**2 * h], rel=1e-3, abs=1e-12
-    )
-
-
-def test_stribeck_falls_all_the_way():
-    assert np.all(np.diff([mu(lam) for lam in np.linspace(0.8, 2.9, 50)]) < 0)
 
 
 def spring(physics, xi, velocity, cap, k=1e7, c=30.0):

@@ -162,36 +162,6 @@ def test_t12_rough_films(physics):
     assert rough[1] / smooth[1] == pytest.approx(1 / (1 - film_parameter**-2), rel=1e-12)
 
 
-# T6: 6208 at 1500 rpm with the oil of table 1 and a groove that is 2.3 mm deep; load (N), and
-# capacitances of the ball (pF).
-@pytest.mark.parametrize(
-    "load, plates, flooded, cavitated",
-    [(1461.7, 44.9, 65.5, 59.9), (980.1, 33.3, 52.9, 47.5), (105.8, 6.27, 22.0, 17.7)],
-)
-def test_t6_a_ball_of_a_6208(physics, load, plates, flooded, cavitated):
-    speed = 1500 * 2 * np.pi / 60
-    gamma = BALL / PITCH
-    u = 0.5 * PITCH * (1 - gamma**2) * speed  # kinematic value, the same at both contacts
-    cage_speed = 0.5 * speed * (1 - gamma)
-    oil = dict(viscosity=0.03, pressure_viscosity=1.8e-8)
-    q_u = 0.96
-    found = {}
-    for kind in (ALL, CAVITATED):
-        both = []
-        for side, Q in ((INNER, load), (OUTER, load + q_u)):
-            raceway = physics.raceway_6208(side, **oil)
-            overlap = (Q / raceway.radial().K) ** (2 / 3)
-            both.append(
-                capacitors(physics, raceway, [overlap], u, cage_speed, surroundings=kind)[[1, 3], 0]
-            )
-        (p_i, o_i), (p_o, o_o) = both
-        found[kind] = 1e12 / (1 / (p_i + o_i) + 1 / (p_o + o_o))
-        found[0] = 1e12 / (1 / p_i + 1 / p_o)
-    assert found[0] == pytest.approx(plates, rel=0.005)
-    assert found[ALL] == pytest.approx(flooded, rel=0.005)
-    assert found[CAVITATED] == pytest.approx(cavitated, rel=0.005)
-
-
 @pytest.mark.parametrize("side", [INNER, OUTER])
 @pytest.mark.parametrize(
     "changes", [{}, dict(gap=1.0), dict(at=1, rough=1, surroundings=CAVITATED)]

@@ -4,12 +4,11 @@
 import numpy as np
 import pytest
 import raceway
-from circuits import MOTOR, PICO, WEAK, films, steady
+from circuits import MOTOR, PICO, WEAK, steady
 from raceway.electric import circuit
-from raceway.electric.breakdown import Breakdown
 from raceway.electric.films import of_dataset, of_run
 from raceway.electric.leak import Leak
-from raceway.electric.outer import Floating, Source
+from raceway.electric.outer import Source
 from raceway.electric.waveforms import Constant
 from raceway.errors import RunError
 
@@ -19,16 +18,6 @@ def test_an_open_film_carries_nothing():
     data = circuit.run(given, Source(Constant(4.0))).data
     np.testing.assert_allclose(data.bearing_capacitance, 25 * PICO, rtol=1e-15)
     np.testing.assert_allclose(data.ball_voltage[-1], [2.0, 0.0, 0.0], atol=1e-15)
-
-
-def test_charge_that_loses_its_films():
-    thickness = np.array([[100e-9], [900e-9]])
-    capacitance = np.full((5, 2, 1), 40 * PICO)
-    capacitance[3:] = 0
-    given = films(capacitance, thickness=thickness)
-    message = "ball 1 has a charge of 2.66667e-10 C and no film at 0.0075 s"
-    with pytest.raises(RunError, match=message):
-        circuit.run(given, Floating(10.0, 20 * PICO), Breakdown(45e6))
 
 
 def test_a_run(folder):

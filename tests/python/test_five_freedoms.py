@@ -30,6 +30,14 @@ LOADS = {
         clearance=5e-6,
         orbital_speed=900.0,
     ),
+    "fast": dict(
+        radial_load=3000.0,
+        axial_load=-500.0,
+        moment=(1.0, 0.0),
+        clearance=15e-6,
+        phase=0.3,
+        orbital_speed=1500.0,
+    ),
 }
 
 

@@ -135,14 +135,6 @@ def test_the_command_says_why(tmp_path, table, words, message, capsys):
     assert not (tmp_path / "job.sh").exists()
 
 
-@pytest.mark.parametrize("name", ["out", "resume", "overwrite"])
-def test_columns_that_are_no_settings(tmp_path, name):
-    table = tmp_path / "t.csv"
-    table.write_text(f"{name}\n1\n")
-    with pytest.raises(TableError, match=f"column '{name}' cannot be swept"):
-        read_points(table, deck_variables("inputs/in.6208"))
-
-
 def test_many_unknown_columns_in_one_message(tmp_path):
     table = tmp_path / "t.csv"
     table.write_text(",".join(f"x{k}" for k in range(1000)) + "\n1\n")

@@ -80,7 +80,10 @@ def test_mark_of_spreadsheets(tmp_path):
         ("load,share\n1,half\n", "line 2: share is 'half', must be a number above 0"),
         ("load,rpn\n1,2\n", "is not a variable of the deck; did you mean rpm? Variables: load,"),
         ("load,load\n1,2\n", "column 'load' occurs 2 times"),
-        ("load,out\n1,x\n", "column 'out' cannot be swept"),
+        *(
+            (f"load,{name}\n1,x\n", f"column '{name}' cannot be swept")
+            for name in ("out", "resume", "overwrite")
+        ),
         ("load,\n1,2\n", "column '' is not a variable"),
         ("load,rpm\n1,\n", "line 2: rpm is empty"),
         ("load,rpm\n1,2\n1.0,2e0\n", "line 3: the same point as line 2"),

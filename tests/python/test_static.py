@@ -75,78 +75,6 @@ def test_thrust(bearing, axial, pd):
     assert state.shift[:2] == pytest.approx([0, 0], abs=1e-12)
 
 
-@pytest.mark.parametrize("finite_shift", [False, True])
-@pytest.mark.parametrize(
-    "radial, axial, pd, orbit",
-    [
-        (5000.0, 0.0, 0.0, 0.0),
-        (5000.0, 0.0, -44.1e-6, 300.0),
-        (800.0, 2000.0, 30e-6, 0.0),
-        (3000.0, -500.0, 15e-6, 900.0),
-        (0.0, 700.0, 10e-6, 1500.0),
-        (1.0, 0.0, 150e-6, 0.0),
-    ],
-)
-def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
-    """The ball positions computed from both raceways coincide, the loads follow Hertz's formula,
-    and each ball and the ring are in equilibrium."""
-    state = equilibrium(
-        bearing,
-        radial,
-        axial,
-        clearance=pd,
-        load_azimuth=2.0,
-        phase=0.3,
-        orbital_speed=orbit,
-        finite_shift=finite_shift,
-    )
-    u = np.stack([np.cos(state.azimuth), np.sin(state.azimuth), np.zeros(9)], 1)
-    e = np.array([0.0, 0.0, 1.0])
-    modulus, thrown = (
-        bearing.effective_modulus,
-        7800 * 4 / 3 * np.pi * 6.3e-3**3 * 30.3e-3 * orbit**2,
-    )
-
-    def direction(angle, outwards):
-        return outwards * (np.cos(angle)[:, None] * u + np.sin(angle)[:, None] * e)
-
-    for side, contact in ((INNER, state.inner), (OUTER, state.outer)):
-        k = [
-            hertz.stiffness(hertz.exact(*bearing.effective_radii(side, angle, pd)), modulus)
-            for angle in contact.angle
-        ]
-        assert contact.load == pytest.approx(k * contact.overlap.clip(0) ** 1.5, rel=1e-7, abs=1e-9)
-    out = direction(state.outer.angle, 1)
-    live, both = state.outer.load > 0, state.inner.load > 0
-    ball = (
-        bearing.groove_circle(OUTER, pd) * u
-        + (bearing.groove_gap(OUTER) + state.outer.overlap)[:, None] * out
-    )
-    d = ball - state.shift
-    if finite_shift:  # distance to the shifted circle along a radius of the shifted ring
-        distance = np.hypot(np.hypot(d[:, 0], d[:, 1]) - bearing.groove_circle(INNER), d[:, 2])
-        u_ring = d * [1, 1, 0] / np.hypot(d[:, 0], d[:, 1])[:, None]
-    else:
-        centre = (bearing.groove_circle(INNER) + u @ state.shift)[:, None] * u + state.shift[2] * e
-        distance, u_ring = np.linalg.norm(ball - centre, axis=1), u
-    overlap = distance - bearing.groove_gap(INNER)
-    assert overlap[both] == pytest.approx(state.inner.overlap[both], abs=1e-14)
-    assert np.all(overlap[~both & live] <= 1e-14)
-
-    into = -np.cos(state.inner.angle)[:, None] * u_ring - np.sin(state.inner.angle)[:, None] * e
-    scale = max(radial, abs(axial), thrown)
-    balance = -state.outer.load[:, None] * out - state.inner.load[:, None] * into + thrown * u
-    # the cage supports the transverse component
-    in_plane = np.stack([(balance * u).sum(1), balance @ e], 1)[live]
-    assert in_plane == pytest.approx(np.zeros_like(in_plane), abs=1e-7 * scale)
-
-    force = (state.inner.load[:, None] * into).sum(0)
-    load = np.array([radial * np.cos(2.0), radial * np.sin(2.0), axial])
-    assert force + load == pytest.approx(np.zeros(3), abs=1e-7 * scale)
-    assert state.force == pytest.approx(force, abs=1e-7 * scale)
-    assert state.residual < 1e-7 * scale
-
-
 def test_centrifugal_load_alone_on_the_outer_raceway(bearing):
     state = equilibrium(bearing, 1000.0, clearance=20e-6, orbital_speed=500.0, ball_density=7800.0)
     expected = 7800 * 4 / 3 * np.pi * 6.3e-3**3 * 30.3e-3 * 500.0**2
@@ -154,12 +82,6 @@ def test_centrifugal_load_alone_on_the_outer_raceway(bearing):
     assert idle.sum() >= 4
     assert state.outer.load[idle] == pytest.approx(np.full(idle.sum(), expected), rel=1e-9)
     assert np.all(state.outer.load[~idle] > state.inner.load[~idle])
-
-
-def test_turning_everything_changes_nothing(bearing):
-    one = equilibrium(bearing, 2000.0, 300.0, clearance=20e-6, phase=0.2)
-    other = equilibrium(bearing, 2000.0, 300.0, clearance=20e-6, phase=1.2, load_azimuth=1.0)
-    assert other.inner.load == pytest.approx(one.inner.load, rel=1e-7, abs=1e-6)
 
 
 def test_preload_without_load_is_centred(bearing):

@@ -43,14 +43,6 @@ def test_figures_are_the_library_s(capsys):
     assert found["support_x_N"] is None
 
 
-def test_numbers_of_the_6208(capsys):  # docs/theory, Numbers to reproduce
-    found = figures(capsys, "--load", "5000")
-    assert found["q_inner_max_N"] == pytest.approx(2436.2, abs=0.05)
-    assert found["load_parameter"] == pytest.approx(0.5, abs=1e-12)
-    assert found["loaded_balls"] == 5 and found["tilt_x_rad"] == 0
-    assert found["lubricant"] is None and "h_min_m" not in found
-
-
 def test_tilt_units_and_hold(capsys):
     arcmin = figures(capsys, "--load", "2000", "--tilt", "0", "20arcmin")
     assert arcmin["tilt_y_rad"] == pytest.approx(20 / 60 * np.pi / 180)

@@ -76,35 +76,15 @@ def test_rings_and_totals(main):
             )
 
 
-def test_totals_are_sums_and_extremes_of_the_contacts(main):
+def test_cage_speed_is_the_mean_of_the_balls(main):
+    """test_one_sum.py compares the other totals with the contacts."""
     with opened(main) as data:
-        one = data.isel(bearing=0)
-        for side in ("inner", "outer"):
-            for name in ("load", "pressure"):
-                assert np.array_equal(
-                    one[f"bearing_{name}_{side}"], data[name].sel(raceway=side).max("ball")
-                )
-        for name in ("h_min", "lambda"):
-            assert np.array_equal(one[f"bearing_{name}"], data[name].min(("raceway", "ball")))
-        for name in ("friction_power", "damping_power"):
-            wanted = data[name].sum("raceway").sum("ball")
-            np.testing.assert_allclose(one[f"bearing_{name}"], wanted, rtol=1e-13)
-        assert np.array_equal(one["bearing_contacts"], (data["load"] > 0).sum(("raceway", "ball")))
-        both = (data["load"] > 0).all("raceway")
-        assert np.array_equal(one["bearing_loaded_balls"], both.sum("ball"))
-        top = data["load"].sel(raceway="inner").argmax("ball")
-        for name in ("h_min", "lambda", "h_c", "entrainment"):
-            wanted = data[name].sel(raceway="inner").isel(ball=top)
-            assert np.array_equal(one[f"bearing_{name}_top"], wanted)
-        inner, outer = (data["capacitance"].sel(raceway=side) for side in ("inner", "outer"))
-        series = xr.where(both, inner * outer / (inner + outer), 0.0)
-        np.testing.assert_allclose(one["bearing_capacitance"], series.sum("ball"), rtol=1e-13)
-        assert np.array_equal(one["bearing_capacitance_top"], series.max("ball"))
         ring = data.isel(ring=1)
         x, y = (data[f"ball_{k}"] - (ring[f"ring_{k}"] + ring[f"ring_origin_{k}"]) for k in "xy")
         vx, vy = (data[f"ball_v{k}"] - ring[f"ring_v{k}"] for k in "xy")
         speed = ((x * vy - y * vx) / (x * x + y * y)).mean("ball")
-        np.testing.assert_allclose(one["bearing_cage_speed"], speed, rtol=1e-12)
+        found = data.isel(bearing=0)["bearing_cage_speed"]
+        np.testing.assert_allclose(found, speed, rtol=1e-12)
 
 
 def test_what_the_bearing_is(main):

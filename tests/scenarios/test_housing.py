@@ -101,17 +101,6 @@ def test_frequencies_and_damping(run, name):
     assert np.abs(found - want).max() < 1e-3 * np.abs(want).min()
 
 
-@pytest.mark.parametrize("mover", MOVERS)
-def test_ranks(tmp_path, mover):
-    """If one rank owns the housing and another the ring, the results are bitwise identical to those
-    on a single rank."""
-    words = dict(MOVERS[mover], steps=300)
-    succeed(DECK, out=tmp_path / "one", **words)
-    succeed(DECK, out=tmp_path / "two", ranks=2, **words)
-    one, two = ((tmp_path / name / "ring.dat").read_bytes() for name in ("one", "two"))
-    assert one == two
-
-
 def test_a_driven_housing_carries_the_ring(tmp_path):
     """A housing that is moved by 1 um moves the ring; the energy balance includes the work of the
     drive."""

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of quantities that are computed from runs of the main deck: kinematic frequencies, the
-power balance, and the trajectory in MDAnalysis."""
+"""The spectral lines of a run of the main deck are at the kinematic frequencies of its cage."""
 
 import numpy as np
 import pytest
 import raceway
-from commands import reply
 from host import succeed
-from raceway import losses, spectrum
+from raceway import spectrum
 
 
 @pytest.fixture(scope="module")
@@ -50,53 +48,3 @@ def test_a_perfect_bearing_has_no_other_line(long):
     for signal in ("x", "shift", "fy"):
         for line in spectrum.lines(long, spectrum.of_run(long, signal)):
             assert line.name in ("BPFO", "FTF") or line.note
-
-
-def test_command(long, capsys):
-    assert "BPFO x3" in reply(capsys, ["spectrum", str(long.tables.folder), "--signal", "x"])
-
-
-def test_datasets_agree_with_each_other(long):
-    """Rings, contacts and balls are recorded at the same instants."""
-    both = long.rings["capacitance"] - long.bearing["capacitance"]  # xarray aligns the times
-    assert both.sizes["time"] == 8001
-    # the dump is written at the end of the step
-    assert float(np.abs(both / long.bearing["capacitance"]).max()) < 1e-6
-    contact, ball = long.contacts["azimuth"].sel(raceway="outer"), long.balls["azimuth"]
-    apart = np.abs(np.exp(1j * contact) - np.exp(1j * ball))
-    assert float(apart.max()) < 1e-9 and int(np.isfinite(apart).sum()) > 8000 * 8
-
-
-def test_universe(long):
-    u = long.universe()
-    ts = u.trajectory[4321]
-    loads = long.contacts["load"].sel(raceway="inner").isel(time=4321)
-    assert np.array_equal(ts.data["load_inner"][:9], loads) and len(u.trajectory) == 8001
-
-
-def test_smoothed_friction_takes_force_times_sliding(long):
-    """Friction acts in the direction opposite to sliding, so its power is the product of the two
-    magnitudes (the dump has 12 digits)."""
-    contacts = long.contacts
-    np.testing.assert_allclose(
-        contacts["friction_power"],
-        (contacts["friction"] * contacts["sliding"]).fillna(0),
-        rtol=1e-10,
-        atol=1e-25,
-    )
-    assert float(contacts["damping_power"].min()) > -1e-12
-
-
-def test_shaft_pays_what_the_contacts_lose(tmp_path):
-    """With velocity Verlet, the input power equals the losses. The input varies by 40 mW about a
-    mean of 1.4 mW as springs are loaded and unloaded. Because of slip, the run falls short of 20
-    full passes by a fraction of 4e-4, and 40 mW * 4e-4 is 1.2 % of the mean. The tolerance is three
-    times this value.
-    """
-    succeed("inputs/in.6208", out=tmp_path / "run", passes=20, settle=4, integrator="verlet")
-    mean = losses.losses(raceway.open(tmp_path / "run")).mean()
-    lost = float(mean["friction_power"] + mean["damping_power"])
-    assert float(mean["power_in"]) == pytest.approx(lost, rel=0.04)
-    assert float(mean["torque"]) * 477.5 * np.pi / 30 == pytest.approx(
-        float(mean["power_in"]), rel=1e-6
-    )

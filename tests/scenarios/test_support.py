@@ -49,37 +49,6 @@ def test_free_decay(tmp_path, mover, fall):
             assert np.abs(data["a" + name] - bend).max() < 2e-3 * np.abs(bend).max(), name
 
 
-@pytest.mark.parametrize("name", DIRECTIONS)
-def test_frequency_and_damping(name, swings):
-    """The fitted decay rates and frequencies agree with the values for these springs and
-    dampers."""
-    load, inertia, stiffness, damping = DIRECTIONS[name]
-    free, decay = np.sqrt(stiffness / inertia), damping / (2 * inertia)
-    for data in swings:
-        t, x = data["step"] * 1e-6, data[name] - load / stiffness
-        # x = c cos(w t) + s sin(w t), times the decay: linear in x(t + d) + e^(-2 b d) x(t - d)
-        step = 5
-        before, here, after = x[: -2 * step], x[step:-step], x[2 * step :]
-        (twice, less), *_ = np.linalg.lstsq(np.c_[here, before], after, rcond=None)
-        d = step * (t[1] - t[0])
-        found_decay = -np.log(-less) / (2 * d)
-        found_speed = np.arccos(0.5 * twice / np.sqrt(-less)) / d
-        assert found_speed == pytest.approx(np.sqrt(free**2 - decay**2), rel=1e-3)
-        assert found_decay == pytest.approx(decay, abs=1e-3 * free)
-
-
-@pytest.fixture(scope="module")
-def swings(tmp_path_factory):
-    """Return the columns of ring.dat for each of the two integrators."""
-    found = []
-    for words in MOVERS.values():
-        folder = tmp_path_factory.mktemp("swing")
-        succeed(DECK, out=folder, **words)
-        names = (folder / "ring.dat").read_text().splitlines()[0].split()[1:]
-        found.append(dict(zip(names, np.loadtxt(folder / "ring.dat").T)))
-    return found
-
-
 @pytest.mark.parametrize("fall", [0, 9.81])
 def test_energy(tmp_path, fall):
     """The work of load and gravity equals the heat generated in the dampers plus the kinetic energy

@@ -15,48 +15,38 @@ template <class List, class Test> bool all_alike(const List &a, const List &b, c
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), test);
 }
+
+// Returns a test whether these members of two objects are equal.
+template <class Class, class... Member> auto equal_in(Member Class::*...member)
+{
+  return [=](const Class &x, const Class &y) { return ((x.*member == y.*member) && ...); };
+}
 }    // namespace detail
 
 inline bool alike(const BearingModel &a, const BearingModel &b)
 {
   using M = BearingModel;
+  using namespace detail;
+  const auto rings = equal_in(&M::Ring::mover, &M::Ring::on_shaft, &M::Ring::at, &M::Ring::holder);
+  const auto pockets =
+      equal_in(&M::Pocket::a, &M::Pocket::b, &M::Pocket::K, &M::Pocket::reach, &M::Pocket::mass);
   return a.parts == b.parts &&
-         detail::all_alike(a.bodies, b.bodies,
-                           [](const M::Body &x, const M::Body &y) {
-                             return x.mass == y.mass && x.radius == y.radius && x.spins == y.spins;
-                           }) &&
-         detail::all_alike(a.rings, b.rings,
-                           [](const M::Ring &x, const M::Ring &y) {
-                             return x.mover == y.mover && x.on_shaft == y.on_shaft &&
-                                    x.at == y.at && x.holder == y.holder &&
-                                    detail::all_alike(x.own, y.own,
-                                                      [](const RingValue &v, const RingValue &w) {
-                                                        return v.which == w.which;
-                                                      });
-                           }) &&
-         detail::all_alike(a.shafts, b.shafts,
-                           [](const M::Shaft &x, const M::Shaft &y) {
-                             return x.mover == y.mover && x.rings == y.rings;
-                           }) &&
-         detail::all_alike(a.grooves, b.grooves,
-                           [](const M::Groove &x, const M::Groove &y) {
-                             return x.body == y.body && x.ring == y.ring &&
-                                    x.physics == y.physics && x.profile == y.profile &&
-                                    x.ball == y.ball;
-                           }) &&
-         detail::all_alike(a.pockets, b.pockets,
-                           [](const M::Pocket &x, const M::Pocket &y) {
-                             return x.a == y.a && x.b == y.b && x.K == y.K && x.reach == y.reach &&
-                                    x.mass == y.mass;
-                           }) &&
-         detail::all_alike(a.seats, b.seats,
-                           [](const M::Seat &x, const M::Seat &y) {
-                             return x.body == y.body && x.ring == y.ring && x.rails == y.rails &&
-                                    x.stiffness == y.stiffness;
-                           }) &&
-         detail::all_alike(a.cages, b.cages, [](const M::Cage &x, const M::Cage &y) {
-           return x.ring == y.ring && x.land == y.land && x.of == y.of && x.balls == y.balls;
-         });
+         all_alike(a.bodies, b.bodies,
+                   equal_in(&M::Body::mass, &M::Body::radius, &M::Body::spins)) &&
+         all_alike(a.rings, b.rings,
+                   [&](const M::Ring &x, const M::Ring &y) {
+                     return rings(x, y) && all_alike(x.own, y.own, equal_in(&RingValue::which));
+                   }) &&
+         all_alike(a.shafts, b.shafts, equal_in(&M::Shaft::mover, &M::Shaft::rings)) &&
+         all_alike(a.grooves, b.grooves,
+                   equal_in(&M::Groove::body, &M::Groove::ring, &M::Groove::physics,
+                            &M::Groove::profile, &M::Groove::ball)) &&
+         all_alike(a.pockets, b.pockets, pockets) &&
+         all_alike(
+             a.seats, b.seats,
+             equal_in(&M::Seat::body, &M::Seat::ring, &M::Seat::rails, &M::Seat::stiffness)) &&
+         all_alike(a.cages, b.cages,
+                   equal_in(&M::Cage::ring, &M::Cage::land, &M::Cage::of, &M::Cage::balls));
 }
 
 }    // namespace raceway

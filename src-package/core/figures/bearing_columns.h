@@ -29,30 +29,14 @@ inline bool needs_turn(int k) { return k >= TURN_W; }
 
 // ---- motion of a ring, and loads on the ring
 namespace of_ring {
+// clang-format off
 enum {
   RING,
-  X,
-  Y,
-  Z,
-  VX,
-  VY,
-  VZ,
-  SPIN,
-  ANGLE,
-  TILT_1,
-  TILT_2,
-  FX,
-  FY,
-  FZ,
-  MX,
-  MY,
-  MZ,
-  TORQUE,
-  AX,
-  AY,
-  AZ,
-  N
+  X, Y, Z, VX, VY, VZ, SPIN, ANGLE, TILT_1, TILT_2,
+  FX, FY, FZ, MX, MY, MZ, TORQUE,
+  AX, AY, AZ, N
 };
+// clang-format on
 const Column list[N] = {
     {"ring", "", "atom number of the ring", raceway::has_none, as_whole},
     {"x", "m", "displacement of the ring along x, relative to the start"},
@@ -83,30 +67,15 @@ const Column list[N] = {
 
 // ---- constant data of a bearing
 namespace of_kind {
+// clang-format off
 enum {
-  BALLS,
-  BALL_DIAMETER,
-  INNER_RADIUS,
-  OUTER_RADIUS,
-  INNER_GROOVE,
-  OUTER_GROOVE,
-  CLEARANCE,
-  CAGE_BALLS,
-  CAGE_BALL_DIAMETER,
-  BALL_MASS,
-  BALL_YOUNG,
-  BALL_POISSON,
-  RING_YOUNG,
-  RING_POISSON,
-  VISCOSITY,
-  PRESSURE_VISCOSITY,
-  PERMITTIVITY,
-  RING_ROUGHNESS,
-  BALL_ROUGHNESS,
-  INNER_ARCH,
-  OUTER_ARCH,
-  N
+  BALLS, BALL_DIAMETER, INNER_RADIUS, OUTER_RADIUS, INNER_GROOVE, OUTER_GROOVE, CLEARANCE,
+  CAGE_BALLS, CAGE_BALL_DIAMETER,
+  BALL_MASS, BALL_YOUNG, BALL_POISSON, RING_YOUNG, RING_POISSON,
+  VISCOSITY, PRESSURE_VISCOSITY, PERMITTIVITY, RING_ROUGHNESS, BALL_ROUGHNESS,
+  INNER_ARCH, OUTER_ARCH, N
 };
+// clang-format on
 const Column list[N] = {
     {"balls", "", "number of balls", raceway::has_none, as_whole},
     {"ball_diameter", "m", "diameter of a ball"},

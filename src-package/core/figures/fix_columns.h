@@ -14,35 +14,14 @@ using raceway::Column;
 // ---- fix bearing/ring, one row per ring; the radial axes are the two axes of the lab frame that
 // are normal to the bearing axis
 namespace of_fix_ring {
+// clang-format off
 enum {
-  X,
-  Y,
-  Z,
-  VX,
-  VY,
-  VZ,
-  TILT1,
-  TILT2,
-  SPIN,
-  ANGLE,
-  FX,
-  FY,
-  FZ,
-  MX,
-  MY,
-  MZ,
-  TORQUE,
-  LOAD_X,
-  LOAD_Y,
-  LOAD_Z,
-  SUPPORT_X,
-  SUPPORT_Y,
-  SUPPORT_Z,
-  AX,
-  AY,
-  AZ,
-  N
+  X, Y, Z, VX, VY, VZ, TILT1, TILT2, SPIN, ANGLE,
+  FX, FY, FZ, MX, MY, MZ, TORQUE,
+  LOAD_X, LOAD_Y, LOAD_Z, SUPPORT_X, SUPPORT_Y, SUPPORT_Z,
+  AX, AY, AZ, N
 };
+// clang-format on
 const Column list[N] = {
     {"x", "m", "displacement along x since the start"},
     {"y", "m", "displacement along y since the start"},
@@ -99,19 +78,12 @@ const Column list[N] = {
 
 // ---- fix bearing/implicit: totals over all bearings of the fix since the start of the run
 namespace of_fix_implicit {
+// clang-format off
 enum {
-  MEAN_STEP,
-  SMALLEST_STEP,
-  STEPS,
-  CORRECTIONS,
-  REFUSED,
-  ERROR,
-  WORK,
-  DISSIPATED,
-  STORED,
-  LOST,
-  N
+  MEAN_STEP, SMALLEST_STEP, STEPS, CORRECTIONS, REFUSED, ERROR,
+  WORK, DISSIPATED, STORED, LOST, N
 };
+// clang-format on
 const Column list[N] = {
     {"mean_step", "s", "mean internal step"},
     {"smallest_step", "s", "smallest internal step"},
@@ -142,27 +114,13 @@ const Column list[N] = {
 
 // ---- fix bearing/capacitance
 namespace of_fix_capacitance {
+// clang-format off
 enum {
-  TOTAL,
-  LARGEST,
-  ACTIVE,
-  MEAN,
-  LEAST,
-  MOST,
-  ALL_TOTAL,
-  ALL_LARGEST,
-  ALL_MEAN,
-  ALL_LEAST,
-  ALL_MOST,
-  LEAK,
-  IMPEDANCE,
-  PHASE,
-  THRESHOLD,
-  THRESHOLD_LOCAL,
-  THRESHOLD_ENERGY,
-  HERTZ_AREA,
-  N
+  TOTAL, LARGEST, ACTIVE, MEAN, LEAST, MOST,
+  ALL_TOTAL, ALL_LARGEST, ALL_MEAN, ALL_LEAST, ALL_MOST,
+  LEAK, IMPEDANCE, PHASE, THRESHOLD, THRESHOLD_LOCAL, THRESHOLD_ENERGY, HERTZ_AREA, N
 };
+// clang-format on
 constexpr int first_of_films = LEAK;    // LEAK and all values after it are results for the films
 const Column list[N] = {
     {"total", "F", "sum over the balls, with background, at the end of the step"},
@@ -191,25 +149,14 @@ const Column list[N] = {
 // ---- fix bearing/circuit: values at the last sample, after its discharge; work, heat and counts
 // are totals since the first sample
 namespace of_fix_circuit {
+// clang-format off
 enum {
-  VOLTAGE,
-  DRIVING,
-  CAPACITANCE,
-  RATIO,
-  THRESHOLD,
-  DISCHARGES,
-  FAILURES,
-  DISCHARGE_ENERGY,
-  SOURCE_WORK,
-  MECHANICAL_WORK,
-  LEAK_HEAT,
-  RESISTOR_HEAT,
-  STORED,
-  CHARGE_ERROR,
-  ENERGY_ERROR,
-  CURRENT,
-  N
+  VOLTAGE, DRIVING, CAPACITANCE, RATIO, THRESHOLD,
+  DISCHARGES, FAILURES, DISCHARGE_ENERGY,
+  SOURCE_WORK, MECHANICAL_WORK, LEAK_HEAT, RESISTOR_HEAT, STORED,
+  CHARGE_ERROR, ENERGY_ERROR, CURRENT, N
 };
+// clang-format on
 const Column list[N] = {
     {"bearing_voltage", "V", "voltage of the inner ring to the outer ring"},
     {"driving_voltage", "V", "voltage of the outer circuit"},
@@ -234,31 +181,14 @@ const Column list[N] = {
 
 // ---- fix bearing/heat, these are also the columns of its file
 namespace of_fix_heat {
+// clang-format off
 enum {
-  TIME,
-  INNER,
-  BALLS,
-  OUTER,
-  HOUSING,
-  OIL,
-  POWER,
-  HEAT_INNER,
-  HEAT_BALLS,
-  HEAT_OUTER,
-  CONTACTS_INNER,
-  CONTACTS_OUTER,
-  BOOKED,
-  CARRIED,
-  STORED,
-  CLEARANCE,
-  GAIN,
-  JUMP,
-  CORRECTION,
-  RUN,
-  HEAT_OIL,
-  OUTLET,
-  N
+  TIME, INNER, BALLS, OUTER, HOUSING, OIL,
+  POWER, HEAT_INNER, HEAT_BALLS, HEAT_OUTER, CONTACTS_INNER, CONTACTS_OUTER,
+  BOOKED, CARRIED, STORED, CLEARANCE, GAIN, JUMP, CORRECTION, RUN,
+  HEAT_OIL, OUTLET, N
 };
+// clang-format on
 const Column list[N] = {
     {"thermal_time", "s", "time by which the temperatures have advanced"},
     {"temperature_inner", "C", "temperature of the inner ring"},
