@@ -49,8 +49,7 @@ medians over {rounds} rounds. The times include writing all samples to the opera
 Errors are relative, and were computed over {compared} ball passes. The reference run has a
 tolerance of 0.1 nm (1 nm with *damping*), also for cage balls. Loads are compared contact by
 contact, relative to the largest load. Films are compared for contacts with at least 1 % of the
-largest load, and means over all {compared} ball passes. With ``full``, the motion of the cage is
-chaotic, so that only means are reproducible.
+largest load, and means over all {compared} ball passes.
 
 {table}
 

@@ -31,7 +31,7 @@ The main deck was run with three sets of models and {samples} samples per ball p
 :doc:`needs`, errors of means over a ball pass are divided by the values for ``full`` at 0.01 nm and
 800 samples. *model* is the error relative to these values with an equally fine integration;
 *numerical* is the error at a tolerance, relative to the same models with the fine integration. With
-``paper`` and ``film`` there is hardly any friction torque, so its relative error is 1.
+``paper`` and ``film`` there is no friction torque, so its relative error is 1.
 
 {table}
 

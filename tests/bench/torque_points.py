@@ -187,7 +187,7 @@ catalogue states (see below).
 of a 7205B and a 7208B run 1.4 to 2.1 mm ahead of and behind one another in pockets with a play of
 0.2 and 0.3 mm (:doc:`cage`). They slip, and sliding is 1.9 to 2.0 times SKF's value in these four
 points. With a cage ring, which the shares leave out, a 7208B under 0.05 and 0.1 :math:`C_0` has a
-torque of 599 N mm in statics, 428 N mm of it at the cage, and of 606 N mm in a run (381 N mm).
+torque of 596 N mm in statics, 423 N mm of it at the cage, and of 608 N mm in a run (381 N mm).
 """
 
 CONFORMITY = """Conformity of the grooves

@@ -242,6 +242,7 @@ def test_several_speeds(motor, capsys):
         ("at: 0.39", "at: 3.9", "3.9 m is not on the shaft"),
         ("{length: 0.06, diameter: 0.036}", "{length: 0.06, diameter: 0.036, bore: 0.04}", "bore"),
         ("loads:", "load:", "unknown 'load'"),
+        ("rpm: 1500", "steel: {young: 1e7}", "steel: young is 1e7, must be from 1e+08 to 1e+13"),
     ],
 )
 def test_files_with_mistakes(tmp_path, capsys, old, new, says):

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from raceway import catalogue, inputs, yaml_file
 from raceway.files import FilePath
 from raceway.inputs import InputError
+from raceway.sweeps import variable_table
 from raceway.theory import life
 from raceway.theory.beam import Disc, Section, Steel
 from raceway.theory.shaft import Load, Seat, Shaft
@@ -16,10 +17,9 @@ from raceway.theory.steel import STEEL
 # {section of the file: {name: (default, or None if required; smallest, largest value)}}
 NUMBERS: Mapping[str, Mapping[str, tuple[float | None, float, float]]] = {
     "file": {"rpm": (0.0, 0.0, 1e5)},
-    "steel": {
-        "young": (STEEL.young, 1e8, 1e13),
-        "poisson": (STEEL.poisson, 0.0, 0.5),
-        "density": (STEEL.density, 100.0, 3e4),
+    "steel": {  # within the ranges of the steel of balls
+        name: (default, *variable_table.limits(f"ball_{name}"))
+        for name, default in STEEL._asdict().items()
     },
     "sections": {
         "length": (None, 1e-6, 100.0),

@@ -31,9 +31,7 @@ def variable(name: str) -> Callable[[str], float]:
     `name`, without the value beside its range that stands for the default."""
 
     def convert(text):
-        row = variable_table.row(name)
-        low, high = map(float, row["range"].split()[:2])
-        return number(low, high, row["unit"])(text)
+        return number(*variable_table.limits(name), variable_table.row(name)["unit"])(text)
 
     return convert
 

@@ -35,6 +35,13 @@ def default(name: str) -> str:
     return next((row["default"] for row in rows() if row["name"] == name), "")
 
 
+def limits(name: str) -> tuple[float, float]:
+    """Return the smallest and the largest value of a variable, without the value beside its range
+    that stands for the default. Raises `KeyError` if there is no such variable."""
+    low, high = map(float, row(name)["range"].split()[:2])
+    return low, high
+
+
 def needed(kind: str) -> list[str]:
     """Return the names of the variables that data of a `kind` must include."""
     return [
