@@ -126,6 +126,12 @@ def test_help_names_every_command():
     assert "Exit codes: 0 done; 1 " in text
 
 
+@pytest.mark.parametrize("option", ["bearing", "load", "models", "phase", "clearance"])
+def test_two_dashes_are_no_value(capsys, option):
+    said = reply(capsys, ["static", "--rpm", "10", f"--{option}=--"], code=2)
+    assert f"argument --{option}: expected a value, not '--'" in said
+
+
 def run_module(*arguments, **options):
     environment = {
         **os.environ,
