@@ -146,6 +146,9 @@ def test_message_of_many_names():
         catalogue.find("bearings", "6299")
     with pytest.raises(InputError, match="there is: dry, grease110, "):
         catalogue.find("lubricants", "oil")
+    for name in ("", "."):
+        with pytest.raises(InputError, match=f"no lubricant '{name}' in .*: dry, grease110, "):
+            catalogue.find("lubricants", name)
 
 
 def test_page_shows_what_is_printed(capsys, tmp_path):

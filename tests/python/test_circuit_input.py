@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tests of the input to the circuit: voltages as functions of time, and input that is rejected."""
 
+import warnings
+
 import numpy as np
 import pytest
 from circuits import turning
@@ -33,6 +35,10 @@ def test_table_from_a_file(tmp_path):
         read_table(path)
     path.write_text("0 1 2\n")
     with pytest.raises(RunError, match="3 columns, not 2"):
+        read_table(path)
+    path.write_text("# s V\n")
+    with warnings.catch_warnings(), pytest.raises(RunError, match="it has no rows"):
+        warnings.simplefilter("error")
         read_table(path)
 
 

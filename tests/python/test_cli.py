@@ -120,6 +120,12 @@ def test_help_teaches(name):
         _parser().parse_args(shlex.split(example)[1:])
 
 
+@pytest.mark.parametrize("option", ["bearing", "load", "models", "phase", "clearance"])
+def test_two_dashes_are_no_value(capsys, option):
+    said = reply(capsys, ["static", "--rpm", "10", f"--{option}=--"], code=2)
+    assert f"argument --{option}: expected a value, not '--'" in said
+
+
 def run_module(*arguments, **options):
     environment = {
         **os.environ,

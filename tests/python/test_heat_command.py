@@ -133,6 +133,11 @@ def test_command(capsys):
             "no bearing_width, bore_diameter, outside_diameter",
         ),
         (["--load", "1"], 2, "give --rpm"),
+        (
+            ["--load", "2000", "--rpm", "1500", "--nodes", *["1e-320"] * 3],
+            1,
+            "no steady temperature up to 200 C",
+        ),
         (["--rpm", "100"], 2, "a load is needed"),
         (["--load", "1", "--rpm", "0"], 2, "must lie from 1 to 100000 rpm"),
         (["--rpm", "9", "--nodes", "1", "1", "1", "--conductance", "1"], 2, "not allowed with"),

@@ -78,6 +78,37 @@ def test_lever_rule(clearance):
     assert shares == pytest.approx(np.outer([2 / 3, 1 / 3], [600, -3000]), rel=1e-3)
 
 
+@pytest.mark.parametrize("speed", [0.0, 157.0])
+def test_a_floating_bearing_that_carries_nothing(speed):
+    """A bearing with clearance that slides along z carries none of an axial load."""
+    seats = [Seat(0.1, B6208, 10e-6, floating=True), Seat(0.4, B6208, 10e-6)]
+    pushed = [Load(0.2, (0.0, 0.0, 500.0))]
+    idle, one = shaft.rest(Shaft([Section(0.5, 0.2)]), seats, pushed, speed=speed).bearings
+    assert np.abs(idle.load).max() == 0 and np.abs(idle.stiffness).max() == 0
+    alone = static.equilibrium(B6208, axial_load=500.0, clearance=10e-6, **_centrifugal(speed))
+    assert one.load == pytest.approx([0, 0, 500, 0, 0], abs=1e-6)
+    assert one.state.inner.load == pytest.approx(alone.inner.load, rel=1e-6)
+
+
+def _centrifugal(speed):
+    return dict(orbital_speed=speed * (1 - B6208.ball_radius / B6208.pitch_radius) / 2)
+
+
+@pytest.mark.parametrize("speed", ["0", "1500"])
+@pytest.mark.parametrize("floating", ["yes", "no"])
+def test_a_bearing_without_load_has_no_life(motor, capsys, tmp_path, speed, floating):
+    """A bearing with a large clearance changes nothing for the others."""
+    text = MOTOR.read_text()
+    loose = f"  - {{name: 6208, at: 0.18, clearance: 1.0e-4, floating: {floating}}}\n"
+    path = tmp_path / "shaft"
+    path.write_text(text.replace("bearings:\n", f"bearings:\n{loose}"))
+    idle, *others = answer(capsys, ["shaft", path, "--rpm", speed])["bearings"]
+    assert idle["load_x_N"] == 0 and "life_reference_Mrev" not in idle
+    for one, before in zip(others, answer(capsys, ["shaft", MOTOR, "--rpm", speed])["bearings"]):
+        assert one["life_reference_Mrev"] == pytest.approx(before["life_reference_Mrev"], rel=1e-6)
+    assert "6208" in reply(capsys, ["shaft", path, "--rpm", speed])
+
+
 def test_simply_supported():
     """If the bearings can tilt freely, the deflection between them is F L^3/48EI + F L/4kAG, and
     the slope is F L^2/16EI."""
@@ -243,6 +274,7 @@ def test_several_speeds(motor, capsys):
         ("{length: 0.06, diameter: 0.036}", "{length: 0.06, diameter: 0.036, bore: 0.04}", "bore"),
         ("loads:", "load:", "unknown 'load'"),
         ("rpm: 1500", "steel: {young: 1e7}", "steel: young is 1e7, must be from 1e+08 to 1e+13"),
+        ("lubricant: vg46", "lubricant: [vg46]", "lubricant must be one name"),
     ],
 )
 def test_files_with_mistakes(tmp_path, capsys, old, new, says):

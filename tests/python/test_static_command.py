@@ -113,6 +113,16 @@ def test_balls_without_load_have_no_contact_angle(capsys, axial):
     assert max(angles)[0] > np.radians(60) or axial == 300
 
 
+@pytest.mark.parametrize("words", ["", " --lubricant vg46", " --C 30kN", " --bearing QJ208"])
+def test_a_ring_held_without_load_has_no_life(capsys, words):
+    """At a speed, the centrifugal loads of the balls load the outer raceway alone."""
+    held = "static --hold x=0 --hold y=0 --hold z=0 --clearance 10um --rpm 1000" + words
+    found = answer(capsys, held)
+    assert found["q_inner_max_N"] == 0 < found["q_outer_max_N"]
+    assert not any(key.startswith("life_") for key in found)
+    assert "largest load, outer raceway" in reply(capsys, held)
+
+
 def test_table(capsys):
     text = reply(capsys, ["static", *FULL])
     for said in (

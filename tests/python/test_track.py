@@ -93,6 +93,15 @@ def test_mistakes(folder, capsys, old, new, says):
     assert says in reply(capsys, ["track", path], code=1)
 
 
+@pytest.mark.parametrize(
+    "rows", ["9,0,1796,3.5972\n9,60,1796,3.5972", "0,1796,3.5972,\n60,1796,3.5972,"]
+)
+def test_cells_stay_below_their_heading(folder, capsys, rows):
+    (folder[0] / "hours.csv").write_text(f"time_s,rpm,BPFO\n{rows}\n")
+    said = reply(capsys, ["track", folder[0] / "hours.yaml"], code=1)
+    assert "line 2: 4 cells, must be 3 as in the heading" in said
+
+
 def test_times_must_rise(folder, capsys):
     path = folder[0] / "hours.csv"
     pd.read_csv(path).iloc[::-1].to_csv(path, index=False)

@@ -51,7 +51,9 @@ def find(kind: str, name: str, inputs: FilePath | None = None) -> Path:
     shelf = folder(inputs) / kind
     path = shelf / name
     if not _there(path):
-        raise InputError(f"there is no {KINDS[kind]} '{name}' in {shelf}; there is: {_names(path)}")
+        raise InputError(
+            f"there is no {KINDS[kind]} '{name}' in {shelf}; there is: {_names(shelf, name)}"
+        )
     return path
 
 
@@ -59,10 +61,10 @@ def _there(path):
     return path.is_file() or data_table.has(path)
 
 
-def _names(path):
-    """Return the names in the folder of `path`, or only the similar ones if there are many."""
-    names = data_table.names(path.parent)
+def _names(shelf, name):
+    """Return the names in the folder `shelf`, or only those similar to `name` if there are many."""
+    names = data_table.names(shelf)
     if len(names) > MANY:
-        near = sorted(difflib.get_close_matches(path.name, names, n=5, cutoff=0.5))
+        near = sorted(difflib.get_close_matches(name, names, n=5, cutoff=0.5))
         return ", ".join([*near, f"{len(names)} in all (raceway catalogue)"])
     return ", ".join(names) or "nothing"

@@ -91,6 +91,9 @@ def read(path: FilePath, folder: FilePath | None = None) -> Case:
         seats.append(Seat(bearing=inputs.bearing(found), floating=FLOATING[floating], **one))
         ratings.append(inputs.ratings(found))
         angles.append(inputs.four_point_angle(found) or inputs.nominal_angle(found))
+    lubricant = whole.get("lubricant")
+    if not isinstance(lubricant, str | None):
+        raise InputError(f"{path}: lubricant must be one name")
     loads = [Load(**one) for one in _parts(whole, path, "loads")]
     discs = [Disc(**one) for one in _parts(whole, path, "discs")] if "discs" in whole else []
     return Case(
@@ -101,7 +104,7 @@ def read(path: FilePath, folder: FilePath | None = None) -> Case:
         angles,
         loads,
         whole["rpm"],
-        whole.get("lubricant"),
+        lubricant,
     )
 
 

@@ -273,7 +273,7 @@ def _solve(arguments, values, phase=None):
 
     try:
         return electric_point.solve(
-            arguments.bearing or "6208",
+            "6208" if arguments.bearing is None else arguments.bearing,
             arguments.lubricant,
             arguments.inputs,
             models=arguments.models,

@@ -32,6 +32,12 @@ class Parser(argparse.ArgumentParser):
                 action, f"there is no '{value}'{near(str(value), known)}{some}"
             )
 
+    def _get_values(self, action, words):
+        # before Python 3.13, argparse drops the value of --option=--
+        if action.option_strings and words == ["--"]:
+            raise argparse.ArgumentError(action, "expected a value, not '--'")
+        return super()._get_values(action, words)
+
     def refuse(self, unknown: Sequence[str]) -> None:
         """Exit with a message about the first word that matches no option or argument."""
         options = [word for action in self._actions for word in action.option_strings]

@@ -176,7 +176,7 @@ def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[
             static_safety=float(life.static_safety(pressure)) if pressure else None,
             stiffness=state.stiffness.tolist(),
         )
-        if rated is not None and largest > 0:
+        if rated is not None and state.inner.load.any():
             found = life.of_loads(
                 one.seat.bearing,
                 rated,

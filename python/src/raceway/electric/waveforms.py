@@ -6,6 +6,7 @@ A waveform is called with an array of times (s) and returns volts. `shortest` is
 jumps of the voltage within a range of times.
 """
 
+import warnings
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -173,7 +174,11 @@ def read_table(path: FilePath) -> Table:
     Raises `RunError` if the file cannot be read or does not contain such a table.
     """
     try:
-        rows = np.loadtxt(path, ndmin=2)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # of a file without rows
+            rows = np.loadtxt(path, ndmin=2)
+        if not rows.size:
+            raise ValueError("it has no rows")
         if rows.shape[1] != 2:
             raise ValueError(f"{rows.shape[1]} columns, not 2")
         return Table(rows[:, 0], rows[:, 1])

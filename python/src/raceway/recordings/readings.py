@@ -2,6 +2,7 @@
 """Readings of a real bearing and the known part of its state, from the file of `raceway
 identify`."""
 
+import math
 from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -9,7 +10,7 @@ from typing import Any, NamedTuple
 
 import pandas as pd
 
-from raceway import catalogue, inputs, yaml_file
+from raceway import catalogue, files, inputs, yaml_file
 from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.recordings import orders
@@ -277,20 +278,43 @@ def series(path: FilePath, inputs_folder: FilePath | None = None) -> Series:
 def table(path: FilePath, known: Sequence[str], needed: Sequence[str]) -> pd.DataFrame:
     """Read the CSV file at `path`, which has rows of numbers in `known` columns.
 
-    The `needed` columns must be present; empty cells are NaN. Raise `ReadingsError` if the file
-    cannot be used.
+    The `needed` columns must be present, and every row must have as many cells as the heading;
+    empty cells are NaN. Raise `ReadingsError` if the file cannot be used.
     """
-    try:
-        found = pd.read_csv(path)
-    except (OSError, ValueError) as error:
-        raise ReadingsError(f"cannot read {path}: {error}") from None
-    if strange := [name for name in found if name not in known]:
+    (_, head), *rows = files.csv_rows(path, ReadingsError) or [(0, [])]
+    names = [name.strip() for name in head]
+    if strange := [name for name in names if name not in known]:
         raise ReadingsError(f"{path}: column {strange[0]} is not one of {', '.join(known)}")
-    if missing := [name for name in needed if name not in found]:
+    if twice := [name for name in names if names.count(name) > 1]:
+        raise ReadingsError(f"{path}: column {twice[0]} occurs {names.count(twice[0])} times")
+    if not rows:
+        raise ReadingsError(f"{path} has no rows of numbers")
+    if missing := [name for name in needed if name not in names]:
         raise ReadingsError(f"{path} has no column {missing[0]}")
-    if not len(found) or not all(kind.kind in "if" for kind in found.dtypes):
-        raise ReadingsError(f"{path}: needs rows of numbers")
-    return found
+    found = []
+    for line, cells in rows:
+        if len(cells) != len(names):
+            raise ReadingsError(
+                f"{path}, line {line}: {len(cells)} cells, must be {len(names)} as in the heading"
+            )
+        found.append(
+            [
+                _cell(cell.strip(), f"{path}, line {line}: {name}")
+                for cell, name in zip(cells, names)
+            ]
+        )
+    return pd.DataFrame(found, columns=names)
+
+
+def _cell(text, what):
+    """Return the number in a cell, or NaN for an empty one."""
+    try:
+        value = yaml_file.number(text or "nan")
+    except ValueError:
+        value = math.inf
+    if math.isinf(value):
+        raise ReadingsError(f"{what} is '{text}', must be a finite number")
+    return value
 
 
 def _rows(table, within):

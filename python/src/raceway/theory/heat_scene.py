@@ -247,6 +247,6 @@ def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) ->
                 clearance_warm_m=warm,
             )
         oil, warm = oil + part * (mean - oil), warm + part * (target - warm)
-        if oil > 200:
+        if not oil <= 200:  # it is NaN if the conductances are too small for their reciprocals
             break
     raise NoEquilibrium(f"no steady temperature up to 200 C: the oil is at {oil:.4g} C")

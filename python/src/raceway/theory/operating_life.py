@@ -27,14 +27,16 @@ def figures(
 ) -> dict[str, Any]:
     """Return the results for a bearing with the `dynamic` load rating in N, by default the one in
     its file at `path`, and the nominal contact `angle` in rad. They lack the life if there is no
-    rating. `cleanliness` is a key of `cleanliness.CLEANLINESS`."""
+    rating or if the inner raceway carries no load. `cleanliness` is a key of
+    `cleanliness.CLEANLINESS`."""
     result: dict[str, Any] = {}
     stated, rows = inputs.minimum_load(path), len(body.layout.rows)
     if rows == 1 and stated and rpm and fluid is not None and not math.isnan(fluid.kinematic):
         factor, mean = stated
         result["minimum_load_N"] = life.minimum_load(factor, fluid.kinematic, rpm, mean)
     rated = inputs.ratings(path)
-    if rated is None and dynamic is None:
+    unloaded = not state.inner.load.any()  # centrifugal loads alone load the outer raceway
+    if unloaded or (rated is None and dynamic is None):
         return result
     if rated is None:
         rated = life.Ratings(dynamic, math.nan, math.nan)

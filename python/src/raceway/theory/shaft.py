@@ -150,8 +150,20 @@ class _Holder:
     def state(self, place):
         relative = place[self.at] - self.seat.offset
         held = dict(zip(static.FREEDOMS, relative))
-        if self.seat.slides:
-            del held["z"]
+        if not self.seat.slides:
+            return self._state(held)
+        del held["z"]
+        try:
+            return self._state(held)
+        except NoEquilibrium:
+            if self.seat.spring:
+                raise
+            loose = self._state(held | {"z": 0.0})
+            if loose.force.any():
+                raise
+            return loose  # no ball carries load, so the outer ring may be anywhere along z
+
+    def _state(self, held):
         return static.equilibrium(
             self.seat.bearing,
             axial_load=-self.seat.spring,
@@ -163,12 +175,7 @@ class _Holder:
 
     def respond(self, place):
         """Return (force (5,), stiffness (5, 5)) acting on the shaft."""
-        try:
-            state = self.state(place)
-        except NoEquilibrium:
-            if not self.seat.floating or self.seat.spring:
-                raise
-            return np.zeros(FREEDOMS), np.zeros((FREEDOMS, FREEDOMS))  # no ball carries load
+        state = self.state(place)
         force = np.array([*state.force, *state.moment[:2]])
         stiffness = state.stiffness
         if self.seat.slides:
