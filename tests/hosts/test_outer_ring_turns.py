@@ -8,6 +8,7 @@ import raceway
 from commands import reply
 from host import deck_file, succeed
 from raceway.pictures.motion import moving_ring
+from raceway.runs.record import CAGE_RING, Record
 
 DECK = """
 bearing b 6205 types 1 2 3 4 clearance 10e-6 cage ring
@@ -58,3 +59,26 @@ def test_the_ring_that_moves_is_drawn(run, capsys, tmp_path):
 def test_electric_table_states_the_relative_speed(run, capsys):
     said = reply(capsys, ["electric", run.tables.folder])
     assert "speed of inner relative to outer" in said and "m°" not in said
+
+
+def test_a_whirl_with_the_cage_has_order_1(tmp_path, monkeypatch):
+    """The centre of the cage, which is replaced in what is read, turns with the cage in the box.
+    Relative to the outer ring, the cage turns in the opposite direction."""
+    deck = DECK.replace("overwrite yes", "overwrite yes content summary")
+    deck = deck.replace("pass/40", "pass/10").replace("passes 1", "passes 30")
+    succeed(deck_file(tmp_path, deck), out=tmp_path / "run")
+    read = Record.read
+
+    def whirling(record, names, start=0, stop=None):
+        found = read(record, names, start, stop)
+        cage = record.fixed("ring_raceway") == CAGE_RING
+        angle = read(record, ["ring_angle"], start, stop)["ring_angle"][:, cage]
+        for name, place in (("ring_x", np.cos(angle)), ("ring_y", np.sin(angle))):
+            if name in found:
+                found[name] = np.where(cage, 1e-4 * place, found[name])
+        return found
+
+    monkeypatch.setattr(Record, "read", whirling)
+    figures = raceway.open(tmp_path / "run").summary()
+    assert figures["cage_whirl"] == "with the cage"
+    assert figures["cage_whirl_order"] == pytest.approx(1, abs=0.02)

@@ -84,7 +84,7 @@ def cage_figures(tables: "RunTables") -> CageFigures | None:
     place = data["ring_x"][:, cage] + 1j * data["ring_y"][:, cage]
     place = place - place.mean()
     speeds = {"cage": spin[cage], "inner ring": inner, "outer ring": outer}
-    order = whirl_order(place, own * tables.settings["sample_s"], play)
+    order = whirl_order(place, float(spin[cage]) * tables.settings["sample_s"], play)
     force = record.read(["ball_pocket_force"], start, stop)["ball_pocket_force"]
     known = force[np.isfinite(force)]
     return CageFigures(
