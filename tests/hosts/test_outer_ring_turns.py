@@ -2,13 +2,17 @@
 """A user's deck in which the axis is x, the outer ring turns and carries the load, and the inner
 ring is fixed."""
 
+import meshio
 import numpy as np
 import pytest
 import raceway
 from commands import reply
 from host import deck_file, succeed
+from raceway.export import paraview
 from raceway.pictures.motion import moving_ring
 from raceway.runs.record import CAGE_RING, Record
+from raceway.runs.record_tables import ring_place
+from raceway.theory.bearing import OUTER
 
 DECK = """
 bearing b 6205 types 1 2 3 4 clearance 10e-6 cage ring
@@ -54,6 +58,22 @@ def test_the_ring_that_moves_is_drawn(run, capsys, tmp_path):
     shift = -ring["x"][ring["sample"] > 0].mean()  # a summary omits the start
     assert shift == pytest.approx(run.summary()["ring_shift_m"], rel=1e-6)
     reply(capsys, ["plot", run.tables.folder, "--kind", "motion", "--out", tmp_path / "a.png"])
+
+
+def test_the_outer_raceway_moves_in_paraview(run, tmp_path):
+    """Its points have turned with the ring, and their centre is that of the ring."""
+    paraview.write(run.tables, tmp_path / "vtk", every=10)
+    first, last = (meshio.read(tmp_path / f"vtk/outer_raceway_{k:05d}.vtu") for k in (0, 4))
+    centres = [mesh.points.astype(float).mean(axis=0) for mesh in (first, last)]
+    outer = np.transpose(ring_place(run.tables.record, OUTER, 0, 41)[:3])
+    assert np.abs(outer[-1]).max() > 5e-6
+    assert centres == pytest.approx(outer[[0, -1]], abs=2e-8)
+    ways = [
+        mesh.points[:, 0] + 1j * mesh.points[:, 1] - c[0] - 1j * c[1]
+        for mesh, c in zip((first, last), centres)
+    ]
+    turned = np.angle(np.mean(ways[1] / ways[0]))
+    assert turned == pytest.approx(157 * float(run.rings["time"][-1]), rel=1e-4)
 
 
 def test_electric_table_states_the_relative_speed(run, capsys):
