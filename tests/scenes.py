@@ -13,11 +13,6 @@ TURNING = [
     (OUTER, OUTER.replace("mass 2", "mass 2 spin speed ${other}")),
     ("run 2000", "run 500"),
 ]
-SWINGS = [  # the spin of the inner ring, which changes its direction
-    (SPEED, "150\nvariable swing equal 150*cos(100*time)"),
-    ("spin speed ${speed}", "spin speed v_swing"),
-    ("run 2000", "run 1178"),
-]
 FLOODED = {"surroundings": "flooded", "record": "all"}
 RING = {"cage": "ring", "models": "full", "record": "all"}
 
@@ -34,7 +29,6 @@ SCENES = {  # deck, and changes to its text or its variables
     "ramp": ("in.run_up", [("run 15000", "run 1600"), (" content summary", "")]),
     "reversed": ("in.spall", _turning(-157, 0)),
     "outer": ("in.spall", _turning(0, 157)),
-    "swings": ("in.spall", SWINGS),
     "rows": ("in.double_row", [("run 1000", "run 700\n" + RECORD.format(5, 300))]),
     "circuit": ("in.6208", {"passes": 1, "samples": 150, "rpm": 1500} | FLOODED),
     "both": ("in.spall", _turning(150, -60)),
