@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A run is compared with its own signal, written to a file at a lower rate or for another speed."""
 
+import math
+
 import numpy as np
 import pytest
 import raceway
@@ -9,6 +11,8 @@ from commands import answer
 from raceway import compare, envelope, kinematics, recording, sensor, spectrum
 from raceway.cli import main
 from raceway.errors import RunError
+from raceway.runs.run import Run
+from raceway.runs.turning import Motion
 from scipy.signal import resample_poly
 
 SHAFT, SAMPLES = 477.5 / 60, 12000  # Hz
@@ -60,6 +64,30 @@ def test_a_run_beside_itself(tmp_path, run, share):
         assert one.run == pytest.approx(one.recording, rel=1e-6)
         assert one.run_amplitude == pytest.approx(one.recording_amplitude, rel=1e-6)
         assert one.run == pytest.approx(one.nominal, rel=2e-4)
+
+
+@pytest.mark.parametrize("inner, outer", [(0.0, 1.0), (1.0, -0.5), (-1.0, 0.0)])
+def test_rings_turn_as_in_the_run(tmp_path, run, monkeypatch, inner, outer):
+    """Both sides have the lines of the rings that rotate, at the same orders. The cage rolls."""
+    path, rate = write(tmp_path, run)
+    speed = run.motion.shaft
+    cage = kinematics.frequencies(run.geometry, 0.0, inner * speed, outer * speed).cage
+    monkeypatch.setattr(Run, "motion", Motion(inner * speed, outer * speed, cage, math.nan, 0.0))
+    rpm = abs(run.motion.shaft) * 30 / np.pi
+    same = recording.Recording(path, run.geometry, rpm=rpm, rate=rate)
+    found = compare.compare(run, same, "shift", "inner")
+    own = spectrum.places(run)
+    assert {(one.name, one.harmonic): one.nominal for one in found.lines} == pytest.approx(
+        {key: order for key, (order, _) in own.items()}
+    )
+
+
+def test_a_shaft_without_a_steady_speed(tmp_path, run, monkeypatch):
+    path, rate = write(tmp_path, run)
+    same = recording.Recording(path, run.geometry, rpm=SHAFT * 60, rate=rate)
+    monkeypatch.setattr(Run, "shaft_speed", lambda run: np.linspace(50, 60, SAMPLES))
+    with pytest.raises(RunError, match="constant speed"):
+        compare.compare(run, same, "shift", "inner")
 
 
 def test_another_speed_has_the_same_orders(tmp_path, run):

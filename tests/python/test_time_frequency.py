@@ -10,6 +10,8 @@ from commands import reply
 from raceway import time_frequency
 from raceway.errors import RunError
 from raceway.runs import order_tracking
+from raceway.runs.run import Run
+from raceway.runs.turning import Motion
 
 SAMPLE = 1e-4  # s
 ORDER, HEIGHT = 7.3, 2e-6  # order relative to the shaft speed; amplitude in m
@@ -95,6 +97,12 @@ def test_a_steady_shaft_has_frequencies(folder):
         time_frequency.of_run(raceway.open(folder), "x", "inner")
     with pytest.raises(RunError, match="has no column nothing"):
         time_frequency.of_run(raceway.open(folder), "nothing", "inner")
+
+
+def test_a_shaft_at_rest(folder, monkeypatch):
+    monkeypatch.setattr(Run, "motion", Motion(0.0, 0.0, 0.0, 0.0, 0.0))
+    with pytest.raises(RunError, match="the shaft is at rest"):
+        time_frequency.of_run(raceway.open(folder), "shift", "inner")
 
 
 def test_command(run_up, tmp_path, capsys):

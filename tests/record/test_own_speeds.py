@@ -6,11 +6,18 @@ import numpy as np
 import pytest
 import raceway
 import scenes
-from host import succeed
-from raceway import spectrum
+from host import deck_file, succeed
+from raceway import losses, spectrum
+from raceway.pictures import polar
+from raceway.pictures.overview import torque_by_part
 from raceway.runs.summary import summary
 
 ANGULAR = dict(bearing="7205B", load=0.1, axial=300, rpm=8000, models="full", lubricant="vg46")
+SWINGS = [  # changes to in.spall, in which the spin of the inner ring changes its direction
+    (scenes.SPEED, "150\nvariable swing equal 150*cos(100*time)"),
+    ("spin speed ${speed}", "spin speed v_swing"),
+    ("run 2000", "run 1178"),
+]
 SCENES = ("angular", "ramp", "reversed", "outer", "both")
 
 
@@ -94,3 +101,33 @@ def test_speed_at_the_largest_load(run):
     assert (figures["rpm_least"], figures["rpm_most"]) == pytest.approx(want, rel=1e-6)
     top = int(run.bearing["load_inner"].to_numpy().argmax())
     assert figures["rpm_top"] == pytest.approx(rpm[top], rel=1e-6)
+
+
+def test_a_shaft_that_changes_its_direction(tmp_path):
+    """The speed of 150 cos(100 t) rad/s is measured over 3/4 of a period. Means over it are those
+    of the magnitude of the speed."""
+    succeed(deck_file(tmp_path, scenes.changed("in.spall", SWINGS)), out=tmp_path / "run")
+    run = raceway.open(tmp_path / "run")
+    figures, kept = run.summary(), slice(1, None)
+    speed = np.abs(run.rings["spin"].to_numpy())[kept]
+    assert abs(float(run.rings["spin"].mean())) < 0.6 * speed.mean()
+    assert figures["rpm"] == pytest.approx(speed.mean() * 30 / np.pi, rel=0.01)
+    torque = figures["power_loss_W"] / speed.mean()
+    assert figures["friction_torque_N_m"] == pytest.approx(torque, rel=1e-9)
+    assert np.mean(losses.opposing_moment(run.tables)[kept] * speed) > 0.5 * figures["power_loss_W"]
+    assert figures["passes"] == pytest.approx(float(run.rings["passes"][-1]), rel=0.01)
+
+
+def test_the_torque_in_a_picture_is_that_at_its_time(run):
+    """The power of all components is the torque times the speed at that time."""
+    speed = np.abs(run.shaft_speed())
+    names = [name for name in losses.losses(run).data_vars if name.endswith("_power")]
+    power = sum(run.bearing[name].to_pandas().interpolate(limit_direction="both") for name in names)
+    shown = sum(torque_by_part(run.tables).values())
+    np.testing.assert_allclose(shown * speed, power, rtol=1e-9)
+
+
+def test_pictures_show_statics_only_for_one_operating_point(run):
+    """Statics has no changing speeds, turning outer rings and flaws, and its dots are those of
+    radial bearings."""
+    assert polar.theory(run.tables) == {}

@@ -30,7 +30,10 @@ def add(to: Any, bearing: bool = True) -> None:
     )
     speed = to.add_mutually_exclusive_group()
     speed.add_argument(
-        "--rpm", type=number(1, 1e6, "rpm"), metavar="R", help="true speed of the inner ring in rpm"
+        "--rpm",
+        type=number(1, 1e6, "rpm"),
+        metavar="R",
+        help="true speed of the inner ring in rpm (relative to an outer ring that also rotates)",
     )
     speed.add_argument(
         "--nominal",

@@ -11,6 +11,7 @@ from raceway.export import groove, pocket, vtu
 from raceway.export.particles import frames
 from raceway.files import FilePath
 from raceway.runs.cage import pockets
+from raceway.runs.record_tables import ring_place
 from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
 
@@ -21,7 +22,7 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
 
     Part 0 contains the balls as points with the `data` of `particles.frames`. Parts 1 and 2 are the
     surfaces of the inner and the outer raceway, whose points have their `azimuth` (rad) in the
-    ring. The inner raceway moves and rotates; its tilt is omitted. Part 3 contains the pocket walls
+    ring. They move and rotate with their rings; tilts are omitted. Part 3 contains the pocket walls
     of a one-piece cage, with the `force` (N) of the ball on each pocket. Raises `RunError` if the
     run's files are invalid or `out` cannot be written.
     """
@@ -30,7 +31,9 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
         "f4"
     )
     points, quads = groove.mesh(tables.geometry, OUTER, clearance)
-    _text(out / "outer_raceway.vtu", vtu.grid(points.astype("f4"), quads, {"azimuth": azimuth}))
+    outer = points, _outer_ring(tables)
+    if outer[1] is None:
+        _text(out / "outer_raceway.vtu", vtu.grid(points.astype("f4"), quads, {"azimuth": azimuth}))
     points, quads = groove.mesh(tables.geometry, INNER)
     for number, frame in enumerate(frames(tables, every)):
         names = f"balls_{number:05d}.vtu", f"inner_raceway_{number:05d}.vtu"
@@ -38,20 +41,43 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
             out / names[0],
             vtu.grid(frame.position, np.arange(len(frame.position))[:, None], frame.data),
         )
-        c, s = np.cos(frame.ring_turned), np.sin(frame.ring_turned)
-        moved = points @ [[c, s, 0], [-s, c, 0], [0, 0, 1]] + frame.ring
-        _text(out / names[1], vtu.grid(moved.astype("f4"), quads, {"azimuth": azimuth}))
-        names = (*names, "outer_raceway.vtu", *_pockets(tables, frame, number, out))
+        moved = _moved(points, frame.ring_turned, frame.ring)
+        _text(out / names[1], vtu.grid(moved, quads, {"azimuth": azimuth}))
+        if outer[1] is None:
+            names = *names, "outer_raceway.vtu"
+        else:
+            names = *names, f"outer_raceway_{number:05d}.vtu"
+            angle, place = (one[frame.sample - tables.first] for one in outer[1])
+            moved = _moved(outer[0], angle, place)
+            _text(out / names[2], vtu.grid(moved, quads, {"azimuth": azimuth}))
+        names = (*names, *_pockets(tables, frame, number, out))
         entries += [(frame.time, part, name) for part, name in enumerate(names)]
     kept = {name for *_, name in entries}
     for old in (
         path
-        for pattern in ("balls_*.vtu", "inner_raceway_*.vtu", "pockets_*.vtu")
+        for pattern in ("balls_*.vtu", "inner_raceway_*.vtu", "outer_raceway*.vtu", "pockets_*.vtu")
         for path in out.glob(pattern)
     ):
         if old.name not in kept:  # left over from an earlier, longer export
             old.unlink()
     return _text(out / "bearing.pvd", vtu.series(entries))
+
+
+def _outer_ring(tables):
+    """Return the angle (N,) in rad and the position (N, 3) in m of the outer ring at the samples of
+    the run, or None if it does not move."""
+    record, window = tables.record, (tables.first, tables.last)
+    if OUTER not in record.fixed("ring_raceway"):
+        return None
+    angle = tables.turning.ring(OUTER, *window)
+    place = np.stack(ring_place(record, OUTER, *window)[:3], axis=-1)
+    return (angle, place) if angle.any() or place.any() else None
+
+
+def _moved(points, angle, place):
+    """Return `points` (n, 3) after a rotation by `angle` about the axis and a displacement."""
+    c, s = np.cos(angle), np.sin(angle)
+    return (points @ [[c, s, 0], [-s, c, 0], [0, 0, 1]] + place).astype("f4")
 
 
 def _pockets(tables, frame, number, out):
@@ -66,11 +92,10 @@ def _pockets(tables, frame, number, out):
     centre = found.centre[0]
     apart = np.hypot(centre[:, None, 0] - x, centre[:, None, 1] - y)
     points, quads = pocket.mesh(tables.geometry, found.play)
-    c, s = np.cos(found.turned[0]), np.sin(found.turned[0])
-    moved = points @ [[c, s, 0], [-s, c, 0], [0, 0, 1]] + centre.mean(axis=0)
+    moved = _moved(points, found.turned[0], centre.mean(axis=0))
     data = {"force": np.repeat(force[apart.argmin(axis=1)], 2 * pocket.AROUND)}
     name = f"pockets_{number:05d}.vtu"
-    _text(out / name, vtu.grid(moved.astype("f4"), quads, data))
+    _text(out / name, vtu.grid(moved, quads, data))
     yield name
 
 

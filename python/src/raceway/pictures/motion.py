@@ -15,6 +15,7 @@ from raceway.pictures.page import LEFT, RIGHT, against_time, finish, head, key
 from raceway.pictures.style import INK, PALETTE
 from raceway.runs import record_tables
 from raceway.runs.cage import pockets_around
+from raceway.runs.losses import opposing_moment
 from raceway.runs.record import CAGE_RING
 from raceway.runs.tables import RunTables
 from raceway.theory.bearing import OUTER
@@ -120,8 +121,7 @@ def _tilt(axes, tables, ring):
 def _torque(axes, tables):
     # the mean of this moment, i.e. the friction torque, is much smaller than its ripple, so the
     # summary computes the torque from the losses instead
-    torque = -tables.rings["mz"] * np.sign(tables.motion.shaft)
-    _lines(axes, tables, {"balls on the inner ring": torque}, "N m")
+    _lines(axes, tables, {"balls on the inner ring": opposing_moment(tables)}, "N m")
     axes.set_title("Moment against the spin", pad=10)
 
 

@@ -3,6 +3,7 @@
 
 import numpy as np
 
+from raceway.arrays import Floats
 from raceway.files import FilePath
 from raceway.pictures import around_ring, style
 from raceway.pictures.page import LEFT, RIGHT, against_time, finish, head, key
@@ -15,6 +16,7 @@ from raceway.theory.bearing import INNER, OUTER
 from raceway.units import axis, prefixed
 
 PARTS = 3  # number of torque components with their own colour; more do not fit into the legend
+SLOW = 0.01  # fraction of the largest speed; a loss at a lower speed is not shown as a torque
 
 
 def overview(tables: RunTables, path: FilePath) -> None:
@@ -53,7 +55,7 @@ def _compose(figure, tables, figures, film):
         around_ring.loads(figure.add_subplot(left[0], projection="polar"), tables)
         middle, last = (figure.add_subplot(place) for place in right)
     if figures["friction_torque_N_m"]:
-        _torque(middle, tables, figures["friction_torque_N_m"] / figures["power_loss_W"])
+        _torque(middle, tables)
     else:
         _pressures(middle, tables)
     (_capacitance if tables.lubricated and "capacitance" in tables.contacts else _ring)(
@@ -78,21 +80,31 @@ def _subtitle(figures):
     )
 
 
-def _torque(axes, tables, scale):
-    """Plot the power loss by component, multiplied by `scale`, the reciprocal of the speed. Only
-    the `PARTS` largest components are shown separately, and only if they exceed one hundredth of
-    the total; all others are combined."""
-    samples = np.arange(len(tables.totals))
+def torque_by_part(tables: RunTables) -> dict[str, Floats]:
+    """Return {component: (N,)}, the power losses in W divided by the relative speed of the rings at
+    that time, in N m. They are NaN while the rings are nearly at rest.
+
+    Only the `PARTS` largest components are separate, and only if they exceed one hundredth of the
+    total; all others are combined.
+    """
+    speed = np.abs(tables.turning.shaft_speed(tables.first, tables.last))
+    speed[speed < SLOW * speed.max()] = np.nan
     lost = {name: tables.totals[key] for name, key in LOSSES.items() if key in tables.totals}
     # the loss at the cage is known only at the ends of steps
     full = {name: values.interpolate(limit_direction="both") for name, values in lost.items()}
-    lost = {name: scale * values.to_numpy(float) for name, values in full.items()}
-    whole = sum(lost.values())
-    order = sorted(lost, key=lambda name: -lost[name].mean())[:PARTS]
-    large = {name: lost[name] for name in order if lost[name].mean() > 0.01 * whole.mean()}
+    lost = {name: values.to_numpy(float) / speed for name, values in full.items()}
+    whole, means = sum(lost.values()), {name: np.nanmean(one) for name, one in lost.items()}
+    order = sorted(lost, key=lambda name: -means[name])[:PARTS]
+    large = {name: lost[name] for name in order if means[name] > 0.01 * np.nanmean(whole)}
     if len(large) < len(lost):
         large["other"] = np.maximum(whole - sum(large.values()), 0.0)
-    factor, unit = axis(whole.max(), "N m")
+    return large
+
+
+def _torque(axes, tables):
+    large = torque_by_part(tables)
+    most, samples = np.nanmax(sum(large.values())), np.arange(len(tables.totals))
+    factor, unit = axis(most, "N m")
     colours = [PALETTE[k % len(PALETTE)] for k in range(len(large))]
     layers = [values * factor for values in large.values()]
     axes.stackplot(tables.passes(samples), layers, colors=colours, lw=0)
@@ -101,7 +113,7 @@ def _torque(axes, tables, scale):
     finish(
         axes,
         "Friction torque by part",
-        1.22 * whole.max() * factor,
+        1.22 * most * factor,
         [key(name, color=colour, lw=6) for name, colour in zip(large, colours)],
     )
 

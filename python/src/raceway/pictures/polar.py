@@ -13,6 +13,7 @@ from raceway.pictures.page import LEFT, RIGHT, head
 from raceway.pictures.part import LIGHT, filmed, shown
 from raceway.pictures.style import COLOUR, SIDES
 from raceway.runs.settings import LUBRICANT
+from raceway.runs.statics import NoStatics, need_steady_point
 from raceway.runs.tables import RunTables
 from raceway.theory.lubrication import lubricate, turning
 
@@ -60,11 +61,17 @@ def polar(tables: RunTables, path: FilePath) -> None:
 def theory(tables: RunTables) -> dict[int, dict[str, Floats]]:
     """Return {side: {"psi": rad, "load": N, "h_min": m, "h_c": m}} for the loaded contacts at
     `PHASES` positions of the balls; a dry bearing has no films. The dict is empty if the theory
-    does not apply, i.e. if contacts are at an angle or if there is no equilibrium.
+    does not apply, i.e. if contacts are at an angle, if there is no equilibrium, or in the cases of
+    `need_steady_point`.
     """
+    try:
+        need_steady_point(tables)
+    except NoStatics:
+        return {}
     if "angle" in tables.contacts and np.abs(tables.contacts["angle"]).max() > STRAIGHT:
         return {}
-    settings, bearing, spin = tables.settings, tables.geometry, tables.settings["rpm"] * np.pi / 30
+    settings, bearing = tables.settings, tables.geometry
+    spin = abs(settings["rpm"]) * np.pi / 30
     oil = Oil(*(settings[name] for name in LUBRICANT)) if filmed(tables) else None
     found = {side: {"psi": [], "load": [], "h_min": [], "h_c": []} for side in SIDES}
     for k in range(PHASES):

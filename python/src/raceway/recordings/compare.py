@@ -12,6 +12,7 @@ from raceway.recordings.recording import Level, Recording, level
 from raceway.runs import envelope, sensor, spectrum
 from raceway.runs.run import Run
 from raceway.runs.source import Signal, Source
+from raceway.runs.turning import changes
 
 WITHIN = 0.01  # relative half-width of the range searched for a line in the recording
 
@@ -62,9 +63,14 @@ def compare(
 
     A run with a higher sampling rate than the recording is resampled to the rate of the recording
     (`sensor.decimated`). Both envelopes use the same `band` (Hz, Hz), which is by default the most
-    impulsive band of the recording within the frequency range of the run. Raise `RunError` in the
-    same cases as `envelope.of_run`, and for a given band outside this range.
+    impulsive band of the recording within the frequency range of the run. The rings of the
+    recording rotate as those of the run do. Raise `RunError` in the same cases as
+    `envelope.of_run`, for a given band outside this range, and for a run whose shaft is at rest or
+    changes its speed.
     """
+    if not run.motion.shaft or changes(run.shaft_speed()):
+        raise RunError(f"{run.where}: orders require a shaft that rotates at a constant speed")
+    recording = recording.turning_as(run.motion)
     heard = recording.signal(channel)
     own = _resampled(run, run.signal(name, ring), 1 / heard.sample_s)
     found = envelope.of_run(recording, channel, band, orders=False, highest=0.5 / own.sample_s)

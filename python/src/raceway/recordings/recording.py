@@ -5,6 +5,7 @@ Like a run, it can be passed to `spectrum`, `envelope`, `time_frequency` and `pa
 their pictures.
 """
 
+import copy
 import math
 from collections.abc import Callable
 from functools import cached_property
@@ -47,7 +48,8 @@ def contents(path: FilePath) -> Contents:
 
 
 class Recording:
-    """Signals in the file `path`, recorded at a `bearing` whose outer ring is at rest.
+    """Signals in the file `path`, recorded at a `bearing` whose outer ring is at rest, unless
+    `turning_as` states otherwise.
 
     The speed of the inner ring, `rpm` or `nominal` (both in rpm), and the sampling `rate` in Hz
     take precedence over the file; `nominal_angle` is the contact angle in rad of the unloaded
@@ -72,6 +74,8 @@ class Recording:
     ) -> None:
         self.where, self._name = str(path), name
         self._bearing, self._angle = bearing, nominal_angle
+        # speeds of the rings as multiples of the speed of the inner relative to the outer ring
+        self._turning = 1.0, 0.0
         found = contents(path)
         self.kind, self.load = found.kind, found.load
         self.channels = {
@@ -91,10 +95,19 @@ class Recording:
                 " or with --nominal R a speed near which it is searched for"
             )
 
+    def turning_as(self, motion: Motion) -> "Recording":
+        """Return the recording of a bearing whose rings have speeds at the ratio of those in
+        `motion`; its `rpm` is the speed of the inner ring relative to the outer ring."""
+        found = copy.copy(self)
+        found._turning = motion.inner / motion.shaft, motion.outer / motion.shaft
+        found.__dict__.pop("speed", None)
+        return found
+
     @cached_property
     def speed(self) -> shaft_speed.Speed | None:
-        """Speed found in the first channel; None if it is given or if there are no lines of it."""
-        if self._given is not None:
+        """Speed found in the first channel; None if it is given, if there are no lines of it, or
+        if both rings rotate, because their lines have other speeds."""
+        if self._given is not None or all(self._turning):
             return None
         first = self.signal(next(iter(self.channels)))
         return shaft_speed.find(first.values, first.sample_s, self.nominal_rpm / 60)
@@ -134,7 +147,8 @@ class Recording:
     @property
     def motion(self) -> Motion:
         """Mean speeds in rad/s; the speeds of cage and balls are unknown."""
-        return Motion(self.rpm * math.pi / 30, 0.0, math.nan, math.nan, math.nan)
+        inner, outer = (share * self.rpm * math.pi / 30 for share in self._turning)
+        return Motion(inner, outer, math.nan, math.nan, math.nan)
 
     @property
     def title(self) -> str:

@@ -74,17 +74,20 @@ def cage_figures(tables: "RunTables") -> CageFigures | None:
     (cage, play), side = found, record.fixed("ring_raceway").tolist()
     start, stop = tables.first, len(record) if tables.stop is None else tables.stop
     data = record.read(["ring_spin", "ring_x", "ring_y"], start, stop)
-    spin = data["ring_spin"].mean(axis=0)
-    inner, outer = (float(spin[side.index(k)]) if k in side else 0.0 for k in (INNER, OUTER))
+    spin = data["ring_spin"]
+    inner, outer = (spin[:, side.index(k)] if k in side else 0.0 for k in (INNER, OUTER))
     geometry = tables.geometry
-    rolling = 0.5 * (inner - outer) * (1 - geometry.ball_radius / geometry.pitch_radius)
-    own = float(spin[cage]) - outer
-    slip = 1 - own / rolling if abs(rolling) > STILL else math.nan
+    way = np.sign(inner - outer)  # both directions count as positive
+    flat = 0.5 * (1 - geometry.ball_radius / geometry.pitch_radius)
+    rolling = flat * float(np.mean(way * (inner - outer)))
+    own = float(np.mean(way * (spin[:, cage] - outer)))
+    slip = 1 - own / rolling if rolling > STILL else math.nan
     angle, groove = _rolling_slip(tables, start, stop)
     place = data["ring_x"][:, cage] + 1j * data["ring_y"][:, cage]
     place = place - place.mean()
-    speeds = {"cage": spin[cage], "inner ring": inner, "outer ring": outer}
-    order = whirl_order(place, own * tables.settings["sample_s"], play)
+    speeds = {"cage": spin[:, cage], "inner ring": inner, "outer ring": outer}
+    speeds = {name: float(np.mean(speed)) for name, speed in speeds.items()}
+    order = whirl_order(place, speeds["cage"] * tables.settings["sample_s"], play)
     force = record.read(["ball_pocket_force"], start, stop)["ball_pocket_force"]
     known = force[np.isfinite(force)]
     return CageFigures(

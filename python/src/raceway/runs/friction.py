@@ -4,6 +4,8 @@
 import math
 from typing import Any
 
+import numpy as np
+
 from raceway import catalogue, inputs
 from raceway.arrays import mean
 from raceway.runs.columns import LOSSES
@@ -21,8 +23,8 @@ FEW = 1e-2  # fraction of the radial force below which an axial force is conside
 def friction(tables: RunTables) -> dict[str, Any]:
     """Return means over the window in SI units; quantities that the run does not have are None.
 
-    - `friction_torque_N_m`: power loss divided by the relative speed of the rings, as in
-      statics; None for speeds below `STILL`, with a warning in the summary
+    - `friction_torque_N_m`: power loss divided by the relative speed of the rings, which counts as
+      positive in both directions; None for speeds below `STILL`, with a warning in the summary
     - `power_loss_W`, `losses_W`: power dissipated in all contacts, in total and for each kind of
       loss (`columns.LOSSES`)
     - `asperity_share`: fraction of the load carried by asperities, at the largest inner load
@@ -35,9 +37,10 @@ def friction(tables: RunTables) -> dict[str, Any]:
     known = [loss for loss in losses.values() if loss is not None]
     result["losses_W"] = losses if known else None
     result["power_loss_W"] = sum(known) if known else None
-    spin = float(tables.turning.shaft_speed(tables.first, tables.last)[tables.first == 0 :].mean())
-    if known and abs(spin) > STILL:
-        result["friction_torque_N_m"] = result["power_loss_W"] / abs(spin)
+    speed = np.abs(tables.turning.shaft_speed(tables.first, tables.last)[tables.first == 0 :])
+    spin = float(speed.mean())
+    if known and spin > STILL:
+        result["friction_torque_N_m"] = result["power_loss_W"] / spin
     if "asperity_share_top" in totals:
         top = totals["load_inner"].argmax()
         result["asperity_share"] = float(totals["asperity_share_top"][top])

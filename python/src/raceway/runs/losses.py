@@ -4,10 +4,12 @@
 import numpy as np
 import xarray as xr
 
+from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs.around import BINS, around
 from raceway.runs.columns import LOSSES
 from raceway.runs.run import Run
+from raceway.runs.tables import RunTables
 
 
 def losses(run: Run) -> xr.Dataset:
@@ -25,11 +27,10 @@ def losses(run: Run) -> xr.Dataset:
     integrator. The torque is the moment about the bearing axis, so the tilt of the ring must be
     small. Raise `RunError` if the run did not record its losses.
     """
-    rings, bearing = run.rings, run.bearing
+    rings, bearing, tables = run.rings, run.bearing, run.tables
     if "mz" not in rings or "spin" not in rings:
-        raise RunError(f"{run.tables.record.path} has no columns mz and spin")
-    tables = run.tables
-    torque = -rings["mz"] * np.sign(tables.turning.shaft_speed(tables.first, tables.last))
+        raise RunError(f"{tables.record.path} has no columns mz and spin")
+    torque = rings["mz"].copy(data=opposing_moment(tables))
     both = tables.record.read(["ring_mz", "ring_spin"], tables.first, tables.last)
     power = -(both["ring_mz"] * both["ring_spin"]).sum(axis=1)
     data = xr.merge(
@@ -41,6 +42,13 @@ def losses(run: Run) -> xr.Dataset:
     data["torque"].attrs = {"units": "N m", "long_name": "friction torque on the inner ring"}
     data["power_in"].attrs = {"units": "W", "long_name": "power supplied by the rings"}
     return data
+
+
+def opposing_moment(tables: RunTables) -> Floats:
+    """Return the moment (N,) in N m of the balls on the inner ring that opposes its rotation
+    relative to the outer ring, whose direction may change."""
+    way = np.sign(tables.turning.shaft_speed(tables.first, tables.last))
+    return -tables.ring_columns["mz"] * way
 
 
 def losses_around(run: Run, bins: int = BINS) -> xr.Dataset:

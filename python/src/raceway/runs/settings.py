@@ -138,8 +138,9 @@ def _bearing(record):
 
 
 def _measured(record, told):
-    spin = record.read(["ring_spin"])["ring_spin"].mean(axis=0)
+    spin = record.read(["ring_spin"])["ring_spin"]
     side = record.fixed("ring_raceway")
+    speed = np.abs(spin[:, side == 0].sum(axis=1) - spin[:, side == 1].sum(axis=1)).mean()
     found = record.read([f"ring_{name}" for name in ("fx", "fy", "fz", "x", "y")])
     inner = {name: values[:, side == 0] for name, values in found.items()}
     force = np.sqrt(sum(found[f"ring_f{name}"] ** 2 for name in "xyz")).mean(axis=0).max()
@@ -148,13 +149,13 @@ def _measured(record, told):
     along = (x, y)
     if np.hypot(x, y) <= NO_LOAD * force:  # use the direction of the displacement instead
         along = (float(inner["ring_x"].mean()), float(inner["ring_y"].mean()))
-    cage = float(record.read(["bearing_cage_speed"])["bearing_cage_speed"].mean())
+    cage = float(np.abs(record.read(["bearing_cage_speed"])["bearing_cage_speed"]).mean())
     sample_s = told["sample_s"]
-    ball_pass = 2 * np.pi / (told["balls"] * abs(cage)) if cage else np.nan
+    ball_pass = 2 * np.pi / (told["balls"] * cage) if cage else np.nan
     return {
         "load_N": float(np.hypot(x, y)),
         "load_azimuth_rad": float(np.arctan2(*along[::-1])),
-        "rpm": abs(float(spin[side == 0].sum() - spin[side == 1].sum())) / RAD_S,
+        "rpm": float(speed) / RAD_S,
         "samples_per_pass": ball_pass / sample_s,
         "passes": (len(record) - 1) * sample_s / ball_pass,
     }

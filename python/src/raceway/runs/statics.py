@@ -16,6 +16,7 @@ import numpy as np
 from raceway import catalogue, inputs
 from raceway.errors import InputError, NoEquilibrium
 from raceway.runs.cage import ring_of_cage
+from raceway.runs.flaws import by_part
 from raceway.runs.measured import loading
 from raceway.runs.record_tables import ring_place
 from raceway.runs.settings import deck_words
@@ -121,8 +122,9 @@ def _turned(shares, found, tables):
     )
 
 
-def _applies(tables, run):
-    """Raise `NoStatics` if the run is not at one steady operating point."""
+def need_steady_point(tables: RunTables) -> None:
+    """Raise `NoStatics` if the run is not at one steady operating point of a bearing without flaws
+    whose inner ring alone rotates."""
     load, turning = loading(tables), tables.turning
     if load is None:
         raise NoStatics("the record does not contain the forces on the ring")
@@ -132,10 +134,15 @@ def _applies(tables, run):
         raise NoStatics("the speed changes")
     if turning.speed(OUTER, tables.first, tables.last).any():
         raise NoStatics("the outer ring rotates")
-    if run.get("flaws"):
+    if by_part(tables.settings):
         raise NoStatics("raceways or balls have flaws")
     if heated(tables):
         raise NoStatics("temperatures follow the losses of the run")
+
+
+def _applies(tables, run):
+    """Raise `NoStatics` if statics has no equivalent of the run."""
+    need_steady_point(tables)
     if run["models"] not in (*models.STATICS, "film"):
         raise NoStatics(f"statics has no equivalent of models {run['models'] or 'without a name'}")
 

@@ -77,21 +77,23 @@ def of_run(
     changes by more than 1 %; `orders` overrides this choice, which `attrs["orders"]` records. A
     window lasts twelve periods of BPFO for an envelope and a quarter of a period for the signal
     itself. Raise `RunError` in the same cases as `spectrum.signal_of`, if the record is too short,
-    and if the shaft reverses.
+    and if the shaft reverses
+    or is at rest.
     """
     values, sample_s, attrs = run.signal(name, ring)
     tracked = order_tracking.changes_speed(run, len(values)) if orders is None else orders
-    order = spectrum.places(run, harmonics=1)["BPFO", 1][0]
-    window = (ENVELOPE if band else SIGNAL) / order  # in shaft revolutions
+    order, hertz = spectrum.places(run, harmonics=1)["BPFO", 1]
+    if not hertz:
+        raise RunError(f"{run.where}: there are no ball passages, because the shaft is at rest")
+    window = ENVELOPE if band else SIGNAL  # in BPFO periods
     try:
         if band is not None:
             values = envelope.of_values(values, sample_s, *band)
         if not tracked:
-            shaft = abs(run.motion.shaft) / (2 * math.pi)
-            result = spectrogram(values, sample_s, window / shaft)
+            result = spectrogram(values, sample_s, window / hertz)
         else:
             angle = run.shaft_angle(len(values))
-            result = spectrogram(*order_tracking.at_even_angles(values, angle), window)
+            result = spectrogram(*order_tracking.at_even_angles(values, angle), window / order)
             turns = np.abs(angle) / (2 * math.pi)
             times = np.interp(result["time"], turns, np.arange(len(turns)) * sample_s)
             result = result.assign_coords(time=times).rename(frequency="order")

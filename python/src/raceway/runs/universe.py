@@ -13,7 +13,7 @@ values in `trajectory.ts.data`:
 - `step`, `time` (s), `sample`
 
 Lengths are in metres and times in seconds, regardless of the units that MDAnalysis states. There is
-no box, and positions are the same as in the run.
+no box. Vectors are given in the frame of the bearings (`runs.frame`), as in the datasets of a run.
 """
 
 from typing import Any
