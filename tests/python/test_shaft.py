@@ -240,6 +240,16 @@ def test_command(motor, capsys, tmp_path):
     assert (tmp_path / "x.png").stat().st_size > 10_000
 
 
+def test_a_dry_shaft_is_one_without_lubricant(tmp_path, capsys):
+    text, found = MOTOR.read_text(), []
+    for line in ("lubricant: dry", ""):
+        path = tmp_path / "shaft"
+        path.write_text(text.replace("lubricant: vg46", line, 1))
+        found.append(json.loads(reply(capsys, ["shaft", path, "--json"])))
+    assert found[0].pop("lubricant") == "dry" and found[1].pop("lubricant") is None
+    assert found[0] == found[1]
+
+
 def test_several_speeds(motor, capsys):
     """Each entry equals the result of a run at that speed alone; results below the accuracy of the
     equilibrium are 0."""

@@ -253,6 +253,11 @@ def shoulders(path: FilePath) -> Shoulders:
     return Shoulders(**found)
 
 
+def dry(path: FilePath) -> bool:
+    """Return True if the data of a lubricant state that there is none (`film dry`)."""
+    return values(_named("lubricants", path)).get("film") == "dry"
+
+
 def oil(path: FilePath, temperature: float | None = None) -> Oil:
     """Return the `Oil` for a lubricant, given by its name or by a file in inputs/lubricants, at a
     `temperature` in degrees C (default: the temperature stated in the file). Raises `InputError`,

@@ -157,8 +157,9 @@ def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[
     from raceway.theory import life, shaft_modes, shaft_motion
 
     viscosity = None
-    if case.lubricant is not None:
-        found = inputs.fluid(catalogue.find("lubricants", case.lubricant, folder)).kinematic
+    oil = case.lubricant and catalogue.find("lubricants", case.lubricant, folder)
+    if oil and not inputs.dry(oil):
+        found = inputs.fluid(oil).kinematic
         viscosity = None if math.isnan(found) else found
     bearings = []
     for name, rated, angle, one in zip(case.names, case.ratings, case.angles, rest.bearings):

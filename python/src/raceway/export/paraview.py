@@ -31,8 +31,8 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
         "f4"
     )
     points, quads = groove.mesh(tables.geometry, OUTER, clearance)
-    outer = points, _outer_ring(tables)
-    if outer[1] is None:
+    outer_points, outer_motion = points, _outer_ring(tables)
+    if outer_motion is None:
         _text(out / "outer_raceway.vtu", vtu.grid(points.astype("f4"), quads, {"azimuth": azimuth}))
     points, quads = groove.mesh(tables.geometry, INNER)
     for number, frame in enumerate(frames(tables, every)):
@@ -43,12 +43,12 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
         )
         moved = _moved(points, frame.ring_turned, frame.ring)
         _text(out / names[1], vtu.grid(moved, quads, {"azimuth": azimuth}))
-        if outer[1] is None:
+        if outer_motion is None:
             names = *names, "outer_raceway.vtu"
         else:
             names = *names, f"outer_raceway_{number:05d}.vtu"
-            angle, place = (one[frame.sample - tables.first] for one in outer[1])
-            moved = _moved(outer[0], angle, place)
+            angle, place = (one[frame.sample - tables.first] for one in outer_motion)
+            moved = _moved(outer_points, angle, place)
             _text(out / names[2], vtu.grid(moved, quads, {"azimuth": azimuth}))
         names = (*names, *_pockets(tables, frame, number, out))
         entries += [(frame.time, part, name) for part, name in enumerate(names)]

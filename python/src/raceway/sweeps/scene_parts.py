@@ -101,10 +101,9 @@ def lubricated(scene: Mapping[str, str], default: str) -> bool:
     deck reports it.
     """
     try:
-        data = inputs.values(catalogue.find("lubricants", scene.get("lubricant", default)))
+        return not inputs.dry(catalogue.find("lubricants", scene.get("lubricant", default)))
     except RacewayError:
         return True
-    return data.get("film") != "dry"
 
 
 def variables(picked: Iterable[Choice]) -> dict[str, str]:

@@ -243,7 +243,7 @@ def _oil(lubricant, folder, temperature):
     if lubricant is None:
         return None, None
     path = _lubricant(lubricant, folder)
-    if inputs.values(path).get("film") == "dry":
+    if inputs.dry(path):
         return None, None
     return inputs.oil(path, temperature), inputs.fluid(path, temperature)
 
