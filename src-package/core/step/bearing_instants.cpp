@@ -9,16 +9,25 @@ namespace raceway {
 
 void BearingInstants::want(const Instants &i)
 {
-  if (i.number == instants_.number && i.capacitor == instants_.capacitor) return;
+  if (i.number == instants_.number && i.capacitors == instants_.capacitors) return;
   instants_ = i;
   if (i.number < 2) return;
   const size_t n = i.number - 1;
   looks_.resize(n * b_.n_contacts);
-  capacitors_.resize(i.capacitor.permittivity > 0.0 ? n * b_.n_contacts : 0);
+  models_.clear();
+  bool any = false, surrounded = false;
+  for (const BearingBodies::Track &t : b_.tracks) {
+    models_.push_back(i.capacitors[t.ring]);
+    any = any || models_.back().permittivity > 0.0;
+    surrounded = surrounded || models_.back().surrounded();
+  }
+  capacitors_.resize(any ? n * b_.n_contacts : 0);
   surrounded_.clear();
-  if (i.capacitor.surrounded())
-    for (const BearingBodies::Track &t : b_.tracks)
-      surrounded_.emplace_back(*t.physics, i.capacitor);
+  if (surrounded)
+    for (size_t t = 0; t < b_.tracks.size(); ++t)
+      surrounded_.push_back(models_[t].surrounded()
+                                ? SurroundedRaceway(*b_.tracks[t].physics, models_[t])
+                                : SurroundedRaceway());
   bodies_.resize(n * b_.groups.size());
   rings_.resize(n * b_.rings.size());
   end_.resize(b_.groups.size());
@@ -29,27 +38,30 @@ RACEWAY_LANES void BearingInstants::contacts(int k, bool whole_states,
 {
   to.resize(b_.contact_at.size());
   ContactAtInstant nobody;    // used for lanes without a ball
-  for (int group = 0; group < b_.n_contacts; ++group) {
-    const int at = (k - 1) * b_.n_contacts + group;
-    const ContactLook &look = looks_[at];
-    ContactAtInstant *one[lanes];
-    for (int i = 0; i < lanes; ++i) {
-      const int groove = b_.groove_at[lanes * group + i];
-      one[i] = groove < 0 ? &nobody : &to[groove];
+  int group = 0;
+  for (size_t t = 0; t < b_.tracks.size(); ++t)
+    for (int g = b_.tracks[t].first; g < b_.tracks[t].end; ++g, ++group) {
+      const int at = (k - 1) * b_.n_contacts + group;
+      const ContactLook &look = looks_[at];
+      ContactAtInstant *one[lanes];
+      for (int i = 0; i < lanes; ++i) {
+        const int groove = b_.groove_at[lanes * group + i];
+        one[i] = groove < 0 ? &nobody : &to[groove];
+      }
+      const bool any_capacitor = models_[t].permittivity > 0.0;
+      if (any_capacitor)
+        lanes_apart(capacitors_[at].of, {&one[0]->capacitor, &one[1]->capacitor, &one[2]->capacitor,
+                                         &one[3]->capacitor});
+      if (whole_states && any(look.live))
+        lanes_apart(look.state, {&one[0]->state, &one[1]->state, &one[2]->state, &one[3]->state});
+      for (int i = 0; i < lanes; ++i) {
+        ContactAtInstant &c = *one[i];
+        c.orbit = look.orbit[i];
+        c.live = look.live[i];
+        c.load = c.live ? look.state.load[i] : 0.0;
+        if (!any_capacitor || (!c.live && !models_[t].surrounded())) c.capacitor = {};
+      }
     }
-    if (!capacitors_.empty())
-      lanes_apart(capacitors_[at].of,
-                  {&one[0]->capacitor, &one[1]->capacitor, &one[2]->capacitor, &one[3]->capacitor});
-    if (whole_states && any(look.live))
-      lanes_apart(look.state, {&one[0]->state, &one[1]->state, &one[2]->state, &one[3]->state});
-    for (int i = 0; i < lanes; ++i) {
-      ContactAtInstant &c = *one[i];
-      c.orbit = look.orbit[i];
-      c.live = look.live[i];
-      c.load = c.live ? look.state.load[i] : 0.0;
-      if (capacitors_.empty() || (!c.live && surrounded_.empty())) c.capacitor = {};
-    }
-  }
 }
 
 BodyPose BearingInstants::body(int k, int body) const
@@ -162,8 +174,7 @@ RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
           carried_acceleration(shaft.program, shaft.now, seat.at, push, moment) +
           bending_acceleration(*b.modes, *seat.station, forces);
   }
-  if (!surrounded_.empty()) surrounded(k);
-  else if (!capacitors_.empty()) capacitors(k);
+  if (!capacitors_.empty()) capacitors(k);
   return failure;
 }
 
@@ -171,23 +182,18 @@ RACEWAY_LANES void BearingInstants::capacitors(int k)
 {
   const ContactLook *look = looks_.data() + (k - 1) * b_.n_contacts;
   Capacitors *to = capacitors_.data() + (k - 1) * b_.n_contacts;
-  for (const BearingBodies::Track &track : b_.tracks)
+  for (size_t t = 0; t < b_.tracks.size(); ++t) {
+    const BearingBodies::Track &track = b_.tracks[t];
+    const CapacitorModel &model = models_[t];
     for (int g = track.first; g < track.end; ++g, ++look, ++to)
-      if (any(look->live) && track.physics->facts().film)
-        to->of = film_capacitor(*track.physics, look->state, instants_.capacitor);
-}
-
-RACEWAY_LANES void BearingInstants::surrounded(int k)
-{
-  const ContactLook *look = looks_.data() + (k - 1) * b_.n_contacts;
-  Capacitors *to = capacitors_.data() + (k - 1) * b_.n_contacts;
-  for (size_t t = 0; t < b_.tracks.size(); ++t)
-    for (int g = b_.tracks[t].first; g < b_.tracks[t].end; ++g, ++look, ++to) {
-      // lanes without a ball count as live if any lane is live, so that all lanes are of the same
-      // kind
-      const LaneMask spare = any(look->live) ? ~b_.groups[g].used : LaneMask{};
-      to->of = surrounded_[t].capacitor(look->state, look->live | spare, look->orbit);
-    }
+      if (model.surrounded()) {
+        // lanes without a ball count as live if any lane is live, so that all lanes are of the same
+        // kind
+        const LaneMask spare = any(look->live) ? ~b_.groups[g].used : LaneMask{};
+        to->of = surrounded_[t].capacitor(look->state, look->live | spare, look->orbit);
+      } else if (model.permittivity > 0.0 && any(look->live) && track.physics->facts().film)
+        to->of = film_capacitor(*track.physics, look->state, model);
+  }
 }
 
 }    // namespace raceway

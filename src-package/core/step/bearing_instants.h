@@ -11,10 +11,10 @@
 namespace raceway {
 
 // Requested instants, at the fractions k/number of the host's step, k = 1 to number - 1. If
-// `number` is 0, there are no instants; if the permittivity is 0, no capacitances are computed.
+// `number` is 0, there are no instants; if a permittivity is 0, no capacitances are computed.
 struct Instants {
   int number = 0;
-  CapacitorModel capacitor;
+  std::vector<CapacitorModel> capacitors;    // of the contacts on each ring of the model
 };
 
 class BearingInstants {
@@ -64,7 +64,6 @@ class BearingInstants {
   void move(double h, double s);
   Failure look_at(int k, double s);
   void capacitors(int k);
-  void surrounded(int k);
 
   BearingBodies &b_;
   BearingForces &forces_;
@@ -74,7 +73,9 @@ class BearingInstants {
   // body group (bodies_) or the ring (rings_).
   std::vector<ContactLook> looks_;
   std::vector<Capacitors> capacitors_;
-  std::vector<SurroundedRaceway> surrounded_;    // indexed by track, if surroundings are requested
+  std::vector<CapacitorModel> models_;           // indexed by track
+  std::vector<SurroundedRaceway> surrounded_;    // indexed by track; empty if no surroundings are
+                                                 // requested
   std::vector<Bodies> bodies_;
   std::vector<RingAtInstant> rings_;
   // state at the end of the step, saved while the bearing is moved to an instant
