@@ -16,8 +16,8 @@ namespace of = bearing::of_fix_heat;
 
 // number of ball passes after the load ramp before losses are averaged
 static constexpr double passes_at_first = 2.0;
-// If loads or speeds vary, losses are averaged over spans of 2, 4, 8 ... ball passes, until the mean
-// differs from that of the first half of the span by at most this fraction.
+// If loads or speeds vary, losses are averaged over spans of 2, 4, 8 ... ball passes, until the
+// mean differs from that of the first half of the span by at most this fraction.
 static constexpr double scatter_of_means = 2e-3;
 static constexpr double longest_span = 128.0;    // ball passes
 
