@@ -8,6 +8,8 @@
 #include "../electric/film_capacitor.h"
 #include "bearing_forces.h"
 
+#include <vector>
+
 namespace raceway {
 
 // Requested instants, at the fractions k/number of the host's step, k = 1 to number - 1. If
