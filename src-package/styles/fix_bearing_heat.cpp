@@ -216,8 +216,11 @@ void FixBearingHeat::setup(int)
 {
   if (idle_) return;
   ramp_ = 0.0;
-  for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
+  varies_ = false;
+  for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp)) {
     ramp_ = std::max(ramp_, f->ramp());
+    varies_ = varies_ || !f->constant();
+  }
   stride_ = std::max(1, static_cast<int>(pass_ / update->dt / samples_a_pass));
   if (rewrite_) {    // these rows had been written before the restart file was
     rewrite_ = false;
@@ -265,10 +268,11 @@ void FixBearingHeat::apply_oil()
   for (FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp)) f->laws_changed();
 }
 
-// Returns true if a stage that lasts one ball pass has ended at the time `since` after it began.
-bool FixBearingHeat::passed(double since) const
+// Returns true if a stage that lasts a number of ball passes has ended at the time `since` after it
+// began.
+bool FixBearingHeat::passed(double since, double passes) const
 {
-  return since >= pass_ * (1.0 - 1e-9) - 0.5 * update->dt;
+  return since >= passes * pass_ * (1.0 - 1e-9) - 0.5 * update->dt;
 }
 
 // Returns the fraction of the change of the clearance that has been made at the time `since` after

@@ -5,8 +5,8 @@
 //
 // Because temperatures change slowly and balls move fast, the temperatures jump
 // (core/laws/heat_jumps.h): a ramp over one ball pass changes the clearance to its value at the new
-// temperatures, the losses are averaged over the next ball pass, and then the temperatures jump
-// again. The state is the same on all ranks.
+// temperatures, the losses are averaged over the next ball pass, or over several ball passes if
+// loads or speeds vary, and then the temperatures jump again. The state is the same on all ranks.
 #ifdef FIX_CLASS
 FixStyle(bearing/heat,FixBearingHeat)
 #else
@@ -61,11 +61,13 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   // Contains only doubles, so that it can be written to restart files.
   struct State {
     raceway::HeatState heat;
-    raceway::HeatPass sum;    // time integrals of the values over the current ball pass so far
+    raceway::HeatPass sum;    // time integrals of the values since averaging began
     double begun = 0.0, stage = WAIT;
     double since = 0.0;                         // s, time since this stage began
     double run = 0.0;                           // s, total time
     double summed = 0.0;                        // s, time covered by `sum`
+    double span = 1.0;                          // number of ball passes to average
+    double half = 0.0;                          // W, mean losses in the first half of the span
     double oil = 0.0;                           // C, oil temperature used in the current contact
                                                 // law
     double begin[raceway::heat_nodes] = {};     // C, temperatures at the start
@@ -85,7 +87,8 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   void apply_oil();
   void grow(double share);
   double share_at(double since) const;
-  bool passed(double since) const;
+  bool passed(double since, double passes = 1.0) const;
+  bool averaged();
   double value(int column) const;
   double clearance() const;
   raceway::HeatPass losses();
@@ -108,6 +111,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   double bearings_ = 1.0;    // number of bearings that have these temperatures
   double pass_ = 0.0;        // s, duration of a ball pass
   double ramp_ = 0.0;        // s, end of the load ramp
+  bool varies_ = false;      // true if loads or speeds change or turn with a ring
   int stride_ = 1;           // number of steps between samples
   bigint last_step_ = -1;    // last step that has been started
   double ahead_ = 0.0;       // s, time step within a step, which now_.since does not yet include

@@ -7,6 +7,7 @@
 #include "print_line.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace LAMMPS_NS;
 using namespace raceway;
@@ -15,6 +16,10 @@ namespace of = bearing::of_fix_heat;
 
 // number of ball passes after the load ramp before losses are averaged
 static constexpr double passes_at_first = 2.0;
+// If loads or speeds vary, losses are averaged over spans of 2, 4, 8 ... ball passes, until the
+// mean differs from that of the first half of the span by at most this fraction.
+static constexpr double scatter_of_means = 2e-3;
+static constexpr double longest_span = 128.0;    // ball passes
 
 void FixBearingHeat::enter(Stage stage)
 {
@@ -22,6 +27,24 @@ void FixBearingHeat::enter(Stage stage)
   now_.since = 0.0;
   now_.sum = {};
   now_.summed = 0.0;
+  now_.span = 1.0;
+  now_.half = 0.0;
+}
+
+// Returns true if the mean losses so far represent the losses at the current temperatures. If loads
+// or speeds vary, their period is in general not a ball pass, and the means of single ball passes
+// scatter.
+bool FixBearingHeat::averaged()
+{
+  if (!passed(now_.since, now_.span) || now_.summed == 0.0) return false;
+  if (!varies_) return true;
+  const double mean = now_.sum.power() / now_.summed;
+  const bool agree =
+      now_.span > 1.0 && std::fabs(mean - now_.half) <= scatter_of_means * std::fabs(mean);
+  if (agree || now_.span >= longest_span) return true;
+  now_.half = mean;
+  now_.span *= 2.0;
+  return false;
 }
 
 void FixBearingHeat::go_on()
@@ -52,7 +75,7 @@ void FixBearingHeat::end_of_step()
         now_.sum.add(losses(), dt);
         now_.summed += dt;
       }
-      if (passed(now_.since) && now_.summed > 0.0) now_.stage = READY;
+      if (averaged()) now_.stage = READY;
       break;
     default: break;
   }
@@ -70,7 +93,7 @@ void FixBearingHeat::jump_if_all_are_ready()
   jump_together(ready);
 }
 
-// Returns the mean values of the last ball pass.
+// Returns the mean values of the ball passes over which losses have been averaged.
 HeatPass FixBearingHeat::mean_pass() const
 {
   HeatPass seen;
@@ -121,7 +144,7 @@ void FixBearingHeat::jump_together(const std::vector<FixBearingHeat *> &bearings
   }
 }
 
-// Lets the temperatures jump according to the mean losses during the last ball pass.
+// Lets the temperatures jump according to the mean losses.
 void FixBearingHeat::jump(const HeatControl &control)
 {
   const HeatPass seen = mean_pass();

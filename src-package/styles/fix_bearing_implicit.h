@@ -107,7 +107,7 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
     raceway::CapacitorModel model;
     bearing::TagSet balls;
   };
-  raceway::CapacitorModel capacitors_of(const raceway::BearingModel &) const;
+  std::vector<raceway::CapacitorModel> capacitors_of(const raceway::BearingModel &) const;
   bearing::Instants instants_;    // requested by all readers
   std::vector<Capacitors> capacitors_;
   double largest_ = HUGE_VAL;    // s, largest substep

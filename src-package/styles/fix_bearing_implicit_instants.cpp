@@ -40,19 +40,19 @@ void FixBearingImplicit::want_instants(const Instants &i, const std::string &com
   instants_.states = instants_.states || i.states;
 }
 
-// Returns the capacitors that have been requested for the balls of a bearing.
-raceway::CapacitorModel FixBearingImplicit::capacitors_of(const BearingModel &of) const
+// Returns the capacitors that have been requested for the balls on each ring of the bearings that
+// are solved as one.
+std::vector<raceway::CapacitorModel> FixBearingImplicit::capacitors_of(const BearingModel &of) const
 {
-  raceway::CapacitorModel found;
-  for (const Capacitors &one : capacitors_) {
-    if (std::none_of(of.grooves.begin(), of.grooves.end(), [&](const BearingModel::Groove &g) {
-          return one.balls.has(of.bodies[g.body].tag);
-        }))
-      continue;
-    if (found.permittivity > 0.0 && found != one.model)
-      BRG_ONE(bearing::name_of(*this) + different(*this));
-    found = one.model;
-  }
+  std::vector<raceway::CapacitorModel> found(of.rings.size());
+  for (const Capacitors &one : capacitors_)
+    for (const BearingModel::Groove &g : of.grooves) {
+      if (!one.balls.has(of.bodies[g.body].tag)) continue;
+      raceway::CapacitorModel &own = found[g.ring];
+      if (own.permittivity > 0.0 && own != one.model)
+        BRG_ONE(bearing::name_of(*this) + different(*this));
+      own = one.model;
+    }
   return found;
 }
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Between the steps, every bearing has the capacitors of its own fix bearing/capacitance. Two
-bearings of different sizes and oils in a deck have bitwise the same capacitances as each alone."""
+bearings of different sizes and oils in a deck have bitwise the same capacitances as each alone, and
+so have two bearings on a shaft if only one of them has capacitors."""
 
 import numpy as np
 import pytest
@@ -36,11 +37,19 @@ def deck(names):
     return "\n".join(lines)
 
 
-def capacitances(folder, number):
-    """Return the values of one of the bearings in a record, and all totals of it."""
+def read(folder, number):
+    """Return the contacts of one of the bearings in a record, keyed by the columns in it."""
     with netcdf_file(folder / "record.nc", mmap=False) as file:
         mine = file.variables["ball_bearing"].data == number
-        values = {name: file.variables[name].data[..., mine] for name in COLUMNS}
+        names = [name for name in COLUMNS if name in file.variables]
+        return {name: file.variables[name].data[..., mine] for name in names}
+
+
+def capacitances(folder, number):
+    """Return the values of one of the bearings in a record, and all totals of it."""
+    values = read(folder, number)
+    assert set(values) == set(COLUMNS)
+    with netcdf_file(folder / "record.nc", mmap=False) as file:
         total = file.variables["bearing_capacitance_total"].data
         return values | {"total": total[:, number - 1]}
 
@@ -54,6 +63,41 @@ def test_together_and_alone(tmp_path):
         for key in together:
             np.testing.assert_array_equal(together[key], alone[key], key)
         assert np.nanmax(together["total"]) > 1e-11  # F
+
+
+def shaft(names, surroundings):
+    """Return a deck with both bearings on a shaft, of which those in `names` have capacitors."""
+    lines = [line for line in deck(KINDS).splitlines() if "bearing/ring" not in line]
+    for name in KINDS:
+        at = next(k for k, line in enumerate(lines) if line.startswith(f"fix c_{name} "))
+        lines[at] = lines[at].replace("surroundings flooded", surroundings[name])
+        if name not in names:
+            del lines[at]
+    at = next(k for k, line in enumerate(lines) if line.startswith("fix move"))
+    lines[at:at] = [
+        "group inner type 3 7",
+        "fix shaft inner bearing/shaft mass 3 inertia 2e-3 1.5e-2 y free z free ry free rz free "
+        "spin speed 200 load 0.05 0 -3000 500 ramp 1e-3",
+    ]
+    return "\n".join([*lines, ""]).replace("temperature 60", "temperature 60 axis x")
+
+
+@pytest.mark.parametrize(
+    "surroundings",
+    [
+        dict.fromkeys(KINDS, "surroundings flooded"),
+        {"left": "", "right": "surroundings dry film_floor 2e-9"},
+    ],
+    ids=["flooded", "plates"],
+)
+def test_on_a_shaft(tmp_path, surroundings):
+    succeed(deck_file(tmp_path, shaft(KINDS, surroundings)), out=tmp_path / "both")
+    for number, name in enumerate(KINDS, 1):
+        succeed(deck_file(tmp_path, shaft([name], surroundings)), out=tmp_path / name)
+        both, own = (read(tmp_path / folder, number) for folder in ("both", name))
+        for key in own:
+            np.testing.assert_array_equal(both[key], own[key], key)
+        assert np.nanmax(own["capacitance"]) > 1e-11  # F
 
 
 @pytest.mark.parametrize("balls", ["1:3", "1:9"])

@@ -13,11 +13,20 @@ void BearingInstants::want(const Instants &i)
   instants_ = i;
   if (i.number < 2) return;
   looks_.resize(b_.n_contacts);
-  capacitors_.resize(i.capacitor.permittivity > 0.0 ? b_.n_contacts : 0);
+  models_.clear();
+  bool any = false, surrounded = false;
+  for (const BearingBodies::Track &t : b_.tracks) {
+    models_.push_back(i.capacitors[t.ring]);
+    any = any || models_.back().permittivity > 0.0;
+    surrounded = surrounded || models_.back().surrounded();
+  }
+  capacitors_.resize(any ? b_.n_contacts : 0);
   surrounded_.clear();
-  if (i.capacitor.surrounded())
-    for (const BearingBodies::Track &t : b_.tracks)
-      surrounded_.emplace_back(*t.physics, i.capacitor);
+  if (surrounded)
+    for (size_t t = 0; t < b_.tracks.size(); ++t)
+      surrounded_.push_back(models_[t].surrounded()
+                                ? SurroundedRaceway(*b_.tracks[t].physics, models_[t])
+                                : SurroundedRaceway());
   end_.resize(b_.groups.size());
 }
 
@@ -105,8 +114,7 @@ Failure BearingInstants::look_at(double s, BearingAtInstant &to)
   stage.gaps = !surrounded_.empty();
   const Failure failure = forces_.evaluate(stage);
   if (failure != Failure::none) return failure;
-  if (!surrounded_.empty()) surrounded();
-  else if (!capacitors_.empty()) capacitors();
+  if (!capacitors_.empty()) capacitors();
   store_contacts(to.contacts);
   store_bodies(to.bodies);
   store_rings(s, to.rings);
@@ -116,27 +124,31 @@ Failure BearingInstants::look_at(double s, BearingAtInstant &to)
 RACEWAY_LANES void BearingInstants::store_contacts(std::vector<BearingAtInstant::Contact> &to)
 {
   BearingAtInstant::Contact nobody;    // used for lanes without a ball or without a state
-  for (int group = 0; group < b_.n_contacts; ++group) {
-    const ContactLook &look = looks_[group];
-    BearingAtInstant::Contact *one[lanes], *live[lanes];
-    for (int i = 0; i < lanes; ++i) {
-      const int groove = b_.groove_at[lanes * group + i];
-      one[i] = groove < 0 ? &nobody : &to[groove];
-      live[i] = look.live[i] ? one[i] : &nobody;
+  int group = 0;
+  for (size_t t = 0; t < b_.tracks.size(); ++t)
+    for (int g = b_.tracks[t].first; g < b_.tracks[t].end; ++g, ++group) {
+      const ContactLook &look = looks_[group];
+      BearingAtInstant::Contact *one[lanes], *live[lanes];
+      for (int i = 0; i < lanes; ++i) {
+        const int groove = b_.groove_at[lanes * group + i];
+        one[i] = groove < 0 ? &nobody : &to[groove];
+        live[i] = look.live[i] ? one[i] : &nobody;
+      }
+      const bool capacitor = models_[t].permittivity > 0.0;
+      if (capacitor)
+        lanes_apart(capacitors_[group].of, {&one[0]->capacitor, &one[1]->capacitor,
+                                            &one[2]->capacitor, &one[3]->capacitor});
+      if (instants_.states && any(look.live))
+        lanes_apart(look.state,
+                    {&live[0]->state, &live[1]->state, &live[2]->state, &live[3]->state});
+      for (int i = 0; i < lanes; ++i) {
+        BearingAtInstant::Contact &c = *one[i];
+        c.orbit = look.orbit[i];
+        c.live = look.live[i];
+        c.load = c.live ? look.state.load[i] : 0.0;
+        if (!capacitor || (!c.live && !models_[t].surrounded())) c.capacitor = {};
+      }
     }
-    if (!capacitors_.empty())
-      lanes_apart(capacitors_[group].of,
-                  {&one[0]->capacitor, &one[1]->capacitor, &one[2]->capacitor, &one[3]->capacitor});
-    if (instants_.states && any(look.live))
-      lanes_apart(look.state, {&live[0]->state, &live[1]->state, &live[2]->state, &live[3]->state});
-    for (int i = 0; i < lanes; ++i) {
-      BearingAtInstant::Contact &c = *one[i];
-      c.orbit = look.orbit[i];
-      c.live = look.live[i];
-      c.load = c.live ? look.state.load[i] : 0.0;
-      if (capacitors_.empty() || (!c.live && surrounded_.empty())) c.capacitor = {};
-    }
-  }
 }
 
 RACEWAY_LANES void BearingInstants::store_bodies(std::vector<BearingAtInstant::Body> &to)
@@ -183,27 +195,23 @@ void BearingInstants::store_rings(double s, std::vector<BearingAtInstant::Ring> 
 RACEWAY_LANES void BearingInstants::capacitors()
 {
   int contact = 0;    // index of the contact group
-  for (const BearingBodies::Track &track : b_.tracks) {
-    const bool film = track.physics->facts().film;
+  for (size_t t = 0; t < b_.tracks.size(); ++t) {
+    const BearingBodies::Track &track = b_.tracks[t];
+    const CapacitorModel &model = models_[t];
+    const bool plates = model.permittivity > 0.0 && track.physics->facts().film;
     for (int g = track.first; g < track.end; ++g, ++contact) {
       const ContactLook &look = looks_[contact];
-      if (film && any(look.live))
-        capacitors_[contact].of = film_capacitor(*track.physics, look.state, instants_.capacitor);
+      if (model.surrounded()) {
+        // lanes without a ball count as live if any lane is live, so that all lanes are of the same
+        // kind
+        const LaneMask spare = any(look.live) ? ~b_.groups[g].used : LaneMask{};
+        capacitors_[contact].of =
+            surrounded_[t].capacitor(look.state, look.live | spare, look.orbit);
+      } else if (plates && any(look.live)) {
+        capacitors_[contact].of = film_capacitor(*track.physics, look.state, model);
+      }
     }
   }
-}
-
-RACEWAY_LANES void BearingInstants::surrounded()
-{
-  int contact = 0;    // index of the contact group
-  for (size_t t = 0; t < b_.tracks.size(); ++t)
-    for (int g = b_.tracks[t].first; g < b_.tracks[t].end; ++g, ++contact) {
-      const ContactLook &look = looks_[contact];
-      // lanes without a ball count as live if any lane is live, so that all lanes are of the same
-      // kind
-      const LaneMask spare = any(look.live) ? ~b_.groups[g].used : LaneMask{};
-      capacitors_[contact].of = surrounded_[t].capacitor(look.state, look.live | spare, look.orbit);
-    }
 }
 
 }    // namespace raceway

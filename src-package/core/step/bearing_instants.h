@@ -8,18 +8,20 @@
 #include "../electric/film_capacitor.h"
 #include "bearing_forces.h"
 
+#include <vector>
+
 namespace raceway {
 
 // Requested instants, at the fractions k/number of the host's step, k = 1 to number - 1. If
-// `number` is 0, there are no instants; if the permittivity is 0, no capacitances are computed.
+// `number` is 0, there are no instants; if a permittivity is 0, no capacitances are computed.
 struct Instants {
   int number = 0;
-  bool states = false;    // true if the states of contacts are also requested
-  CapacitorModel capacitor;
+  bool states = false;                       // true if the states of contacts are also requested
+  std::vector<CapacitorModel> capacitors;    // of the contacts on each ring of the model
 
   bool operator==(const Instants &i) const
   {
-    return number == i.number && states == i.states && capacitor == i.capacitor;
+    return number == i.number && states == i.states && capacitors == i.capacitors;
   }
 };
 
@@ -75,7 +77,6 @@ class BearingInstants {
   void move(double h, double s);
   Failure look_at(double s, BearingAtInstant &to);
   void capacitors();
-  void surrounded();
   void store_contacts(std::vector<BearingAtInstant::Contact> &to);
   void store_bodies(std::vector<BearingAtInstant::Body> &to);
   void store_rings(double s, std::vector<BearingAtInstant::Ring> &to);
@@ -88,7 +89,9 @@ class BearingInstants {
   // indexed by contact group, at the instant that is being evaluated
   std::vector<ContactLook> looks_;
   std::vector<Capacitors> capacitors_;
-  std::vector<SurroundedRaceway> surrounded_;    // indexed by track, if surroundings are requested
+  std::vector<CapacitorModel> models_;           // indexed by track
+  std::vector<SurroundedRaceway> surrounded_;    // indexed by track; empty if no surroundings are
+                                                 // requested
   // state at the end of the step, saved while the bearing is moved to an instant
   std::vector<Motion> end_;
   std::vector<BearingBodies::States> kept_end_;
