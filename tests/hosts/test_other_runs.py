@@ -49,16 +49,18 @@ def test_builds(host, tmp_path):
     deck.write_text(BOX + BEARING + MOVES + RUN + f"write_restart {kept}\n")
     succeed(deck, host=host)
     whole, mark = kept.read_bytes(), b"Raceway\0"
+    assert whole.count(mark) == 1
     at = whole.index(mark)
     number = at + len(mark)
-    assert whole.count(mark) == 1 and whole[number : number + 4] == b"\6\0\0\0"
+    layout = int.from_bytes(whole[number : number + 4], "little")
+    assert layout > 1
     deck.write_text(READ.format(kept))
     for content, cause in (
         (whole[:number] + b"\1" + whole[number + 1 :], "has layout 1 and was written by another"),
         (whole[:at] + whole[number + 4 :], "has no layout number and was written by another build"),
     ):
         kept.write_bytes(content)
-        says = f"pair_style bearing: the restart file {cause}", "this program reads layout 6"
+        says = f"pair_style bearing: the restart file {cause}", f"this program reads layout {layout}"
         refuses(deck, *says, host=host)
     claims = whole[: number + 4] + b"\xff\xff\xff\x7f" + whole[number + 8 :]
     for content in (whole[: number + 8], whole[: number - 2], claims):
