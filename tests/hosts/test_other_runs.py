@@ -60,8 +60,8 @@ def test_builds(host, tmp_path):
         (whole[:at] + whole[number + 4 :], "has no layout number and was written by another build"),
     ):
         kept.write_bytes(content)
-        says = f"pair_style bearing: the restart file {cause}", f"this program reads layout {layout}"
-        refuses(deck, *says, host=host)
+        says = f"pair_style bearing: the restart file {cause}"
+        refuses(deck, says, f"this program reads layout {layout}", host=host)
     claims = whole[: number + 4] + b"\xff\xff\xff\x7f" + whole[number + 8 :]
     for content in (whole[: number + 8], whole[: number - 2], claims):
         kept.write_bytes(content)

@@ -223,7 +223,7 @@ def test_spectrum_of_a_sweep(capsys, tmp_path):
 @pytest.mark.parametrize(
     "rows, said",
     [
-        ("a,failed,1,1,,,,9\n", "point 1 (a) is failed"),
+        ("a,failed,1,1,,,,9\n", "point 1 (a) has the status failed"),
         ("a,finished,1,1,,,,9\n", "point 1 (a) has no equivalent_load_N"),
         ("a,finished,1,,5,1,9,9\n", "point 1: share is '', must be from 1e-12"),
         ("a,finished,1,1,5,1,9,9\nb,finished,1,1,5,1,8,9\n", "have 8 N and 9 N: give --C"),

@@ -245,6 +245,9 @@ def test_full_models(capsys):
         sum(full["losses_W"].values())
     )
     assert full["torque_skf_N_m"] > 0 and full["torque_palmgren_N_m"] > 0
+    thrust = figures(capsys, *common, "--axial", "1000")
+    assert thrust["torque_skf_N_m"] > full["torque_skf_N_m"]
+    assert thrust["torque_palmgren_N_m"] is None  # the formula is for radial loads
 
 
 def test_temperature_needs_a_lubricant_that_has_it(capsys):

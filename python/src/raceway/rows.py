@@ -168,7 +168,7 @@ def _range(row, ranges):
 
 def _error(row, errors):
     known = errors and errors.get(row.key) and row.unit is not None
-    return "±" + _shown(errors[row.key], row.unit, 3) if known else ""
+    return " ±" + _shown(errors[row.key], row.unit, 3) if known else ""
 
 
 def _shown(value, unit, digits):

@@ -41,7 +41,7 @@ TOPICS = {
         Row("stored_energy_J", "energy of that discharge", "J", "smooth"),
         Row("field_V_m", "largest field, smooth", "V/m"),
         Row("field_peaks_V_m", "largest field, rough", "V/m"),
-        Row("metallic_share", "metallic contacts", "", "fraction; asperities carry 0.01"),
+        Row("metallic_share", "metallic contacts", "", "fraction; asperities carry over 1 %"),
     ),
     "Impedance": (
         Row("leak_ohm", "leak", "Ω", "direct current, mean"),

@@ -26,7 +26,7 @@ TOPICS = {
         Row("rpm_outer", "  outer ring", "rpm", "mean"),
         Row("rpm_least", "  lowest", "rpm"),
         Row("rpm_most", "  highest", "rpm"),
-        row("clearance_m", "as set"),
+        row("clearance_m", "as set, or from the contact angle"),
         row("viscosity_Pa_s"),
         row("pressure_viscosity_per_Pa"),
         row("permittivity"),

@@ -38,7 +38,7 @@ TOPICS = {
         Row("stored_energy_J", "energy of that discharge", "J", "smooth"),
         Row("field_V_m", "largest field, smooth", "V/m", "over h_c"),
         Row("field_peaks_V_m", "largest field, rough", "V/m", "over h_c - 3 sigma"),
-        Row("metallic_contacts", "metallic contacts", "", "asperities carry 0.01"),
+        Row("metallic_contacts", "metallic contacts", "", "asperities carry over 1 %"),
     ),
     "Impedance": (
         Row("leak_ohm", "leak", "Ω", "direct current"),

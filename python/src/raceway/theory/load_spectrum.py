@@ -71,8 +71,8 @@ def _run(path, number, point):
     if point["status"] != "finished":
         why = f": {point['message']}" if point.get("message") else ""
         raise InputError(
-            f"{where} is {point['status']}{why}. `raceway sweep --retry` runs it; if its folder"
-            " is removed, `raceway gather` omits it"
+            f"{where} has the status {point['status']}{why}. `raceway sweep --retry` runs it;"
+            " if its folder is removed, `raceway gather` omits it"
         )
     if not point.get(KEYS[0]):
         raise InputError(

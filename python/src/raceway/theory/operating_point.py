@@ -264,12 +264,13 @@ def _complete(fluid, models):
 
 
 def _makers(body, boundary, load, axial, rpm, viscosity):
-    """Return the torque by the makers' formulas, which are valid for one groove per ring, if the
-    file has the required data."""
+    """Return the torque by the makers' formulas, which are valid for one groove per ring and, in
+    the case of Palmgren's, for radial loads, if the file has the required data."""
     if boundary is None or body.layout != Layout():
         return dict(torque_skf_N_m=None, torque_palmgren_N_m=None)
     level = 500 * body.ball_diameter  # mm above the lowest raceway, i.e. at the middle of a ball
+    palmgren = None if axial else 1e-3 * sum(makers.palmgren(boundary, load, rpm, viscosity))
     return dict(
         torque_skf_N_m=1e-3 * makers.skf(boundary, load, axial, rpm, viscosity, level=level).total,
-        torque_palmgren_N_m=1e-3 * sum(makers.palmgren(boundary, load, rpm, viscosity)),
+        torque_palmgren_N_m=palmgren,
     )
