@@ -20,6 +20,7 @@ TOPICS = {
     "Operating point": (
         row("bearing"),
         row("lubricant"),
+        Row("temperature_C", "temperature", "°C", "of the lubricant"),
         row("load_N", "as set, or measured"),
         Row("rpm", "speed of inner relative to outer", "rpm", "as set, or measured"),
         Row("rpm_inner", "  inner ring", "rpm", "mean"),
