@@ -165,3 +165,30 @@ def test_engine_and_python(recorded):
         assert float(off[name].where(~loaded).max()) < 6e-5, name
     assert float(np.abs(own["plates"] - engine["plates"]).max()) < 1e-9 * float(own["plates"].max())
     assert float(off["separation"].where(~loaded).max()) < 2e-4
+
+
+FILMS = {  # kinds of films in the gap, with Q_u below and above the load at which films are cut
+    "power law, slow": dict(rpm=477.5, load=LOAD, clearance=CLEARANCE),
+    "power law, fast": dict(rpm=RPM, load=LOAD, clearance=CLEARANCE),
+    "all regimes": dict(rpm=RPM, load=LOAD, clearance=2e-4, gap_film="moes"),
+    "no film in the gap": dict(rpm=477.5, load=LOAD, clearance=CLEARANCE, models="paper"),
+    "heated": dict(rpm=RPM, load=2000, lubricant="vg46", heat="yes"),
+}
+
+
+@pytest.mark.parametrize("name", FILMS)
+def test_engine_and_python_with_each_film(tmp_path, name):
+    """Contacts that open and close are resolved. The engine uses the orbital speed of each ball,
+    which changes Q_u and hence the film there by 0.2 %, and the capacitance of a gap by a sixth of
+    that. In a heated run, gaps include the thermal expansion."""
+    words = {"passes": 2, "surroundings": "flooded", "models": "full"} | FILMS[name]
+    succeed("inputs/in.6208", out=tmp_path / "run", **words)
+    run = raceway.open(tmp_path / "run")
+    own = whole_capacitance.over_time(run, whole_capacitance.filling_of(run))
+    engine = whole_capacitance.over_time(run)
+    assert float(np.abs(own["separation"] / engine["separation"] - 1).max()) < 2e-3
+    assert float(np.abs(own["total"] / engine["total"] - 1).max()) < 4e-4
+    assert own["bearing"].to_numpy() == pytest.approx(engine["bearing"].to_numpy(), rel=1e-4)
+    overlap = run.contacts["overlap"].transpose(*own["play"].dims)
+    apart = (own["play"] + overlap).where(own["load"] > 0)
+    assert float(np.abs(apart).max()) < 1e-12
