@@ -34,10 +34,9 @@ def gap_film(tables: RunTables) -> GapFilm | None:
     return GapFilm(float(share[1]), law is not None and law[1] == "moes")
 
 
-def lightest(quiet: float, within: GapFilm | None) -> float:
-    """Return the load in N below which a contact has the film thickness at this load; `quiet` is
-    the load of a ball that is guided by the outer raceway alone."""
-    return max(quiet, film_gap.CUT) if within and not within.all_regimes else quiet
+def cut(within: GapFilm | None) -> float:
+    """Return the load in N below which the thickness of the film is constant."""
+    return film_gap.CUT if within and not within.all_regimes else 0.0
 
 
 def of_raceway(
@@ -45,15 +44,15 @@ def of_raceway(
     side: int,
     table: xr.Dataset,
     gap: Floats,
-    least: float,
+    quiet: float,
     within: GapFilm | None,
     clearance: float,
 ) -> tuple[Floats, Floats]:
     """Return the separation and the play from the onset of contact in m as arrays (time, ball).
 
     `table` contains the contacts with one raceway, and `gap` the distances (time, ball) between
-    surfaces in m. The separation is h_c at the load max(Q, Q_least) with `least` from `lightest`,
-    or the gap if there is no load and the gap is larger. If the film in the gap has a law of all
+    surfaces in m. The separation is h_c at the load max(Q, Q_u) with Q_u = `quiet` in N, or the gap
+    if there is no load and the gap is larger. If the film in the gap has a law of all
     regimes, the separation is h_c at any load.
     """
     load, thick = table["load"].to_numpy(), table["h_c"].to_numpy()
@@ -69,17 +68,17 @@ def of_raceway(
             raise RunError(f"no ball is loaded on the {name} raceway in any sample")
         # h_c Q^m at the largest load is the load-independent factor of the film thickness, also for
         # balls without load. A film in the gap has a constant thickness below its cut.
-        cut = film_gap.CUT if within else 0.0
-        factor = np.where(live, thick * np.maximum(load, cut) ** power, 0.0)
+        least = cut(within)
+        factor = np.where(live, thick * np.maximum(load, least) ** power, 0.0)
         top = np.take_along_axis(factor, load.argmax(1)[:, None], axis=1)
         top = np.where(top > 0, top, np.median(top[top > 0]))
         if within and within.share > 0:
             # a ball without load that rolls more slowly has a film that does not fill its gap
-            top = np.minimum(top, np.maximum(gap, 0.0) * cut**power / within.share)
+            top = np.minimum(top, np.maximum(gap, 0.0) * least**power / within.share)
         factor = np.where(live, factor, top)
-        apart = factor * np.maximum(load, least) ** -power
+        apart = factor * np.maximum(load, quiet) ** -power
         # contact begins at this gap, which counts as far as it exceeds the film thickness
-        onset = within.share * factor * cut**-power if within else np.zeros_like(factor)
+        onset = within.share * factor * least**-power if within else np.zeros_like(factor)
         beyond = gap - np.maximum(onset - apart, 0.0)
     play = np.where(live, 0.0, np.maximum(gap - onset, 0.0))
     return np.where(live, apart, np.maximum(apart, beyond)), play

@@ -122,8 +122,7 @@ def over_time(
     within = separation.gap_film(run.tables)
     filling = filling_of(run) if filling is None else filling
     bearing, clearance = run.tables.geometry, run.settings["clearance_m"]
-    quiet = capacitors.quiet_load(bearing, _cage_speed(run), density)
-    quiet = separation.lightest(quiet, within)
+    quiet = capacitors.quiet_load(bearing, _cage_speed(run), density, cut=separation.cut(within))
     data = xr.Dataset(coords=gaps.coords)
     found, dims = [], gaps.dims
     for side, name in enumerate(() if two else SIDES):
