@@ -61,6 +61,13 @@ def test_what_is_not_asked_for_is_not_there(folder, capsys):
     assert "balls without load" in text and "Impedance" not in text
 
 
+def test_peaks_that_meet(folder, capsys):
+    """The text names a film that its peaks bridge, as that of an operating point does."""
+    found = figures(capsys, folder) | {"threshold_peaks_V": 0.0}
+    (row,) = (one for one in film_table.table(found).splitlines() if "voltage, rough" in one)
+    assert "bridged" in row and "0 V" not in row
+
+
 def test_another_filling(folder, capsys):
     dry = figures(capsys, folder, "--surroundings", "dry")
     whole = whole_capacitance.over_time(raceway.open(folder), Filling("dry"))

@@ -36,7 +36,13 @@ TOPICS = {
     "Breakdown": (
         Row("threshold_V", "smallest voltage, smooth", "V", "minimum over the run"),
         Row("threshold_mean_V", "smallest voltage, smooth, mean", "V"),
-        Row("threshold_peaks_V", "smallest voltage, rough", "V", "minimum; over h_c - 3 sigma"),
+        Row(
+            "threshold_peaks_V",
+            "smallest voltage, rough",
+            "V",
+            "minimum; over h_c - 3 sigma",
+            "bridged",
+        ),
         Row("threshold_azimuth_deg", "azimuth of that ball", "°", "from the load line"),
         Row("stored_energy_J", "energy of that discharge", "J", "smooth"),
         Row("field_V_m", "largest field, smooth", "V/m"),

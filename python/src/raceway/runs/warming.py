@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from raceway.arrays import mean
+from raceway.arrays import Floats, mean
 from raceway.core import laws
 from raceway.errors import RunError
 from raceway.files import FilePath
@@ -93,6 +93,20 @@ def warm_clearance(tables: RunTables) -> float:
     rises = [mean(tables.total_columns[f"temperature_{part}"]) - ambient for part in PARTS[:3]]
     radii = bearing.inner_radius, bearing.outer_radius, bearing.ball_radius
     return cold + float(laws.clearance_change(*radii, *rises))
+
+
+def strains(tables: RunTables) -> tuple[Floats, Floats, Floats]:
+    """Return the thermal strains of inner ring, balls and outer ring, with one value per sample,
+    relative to the ambient temperature. They are 0 in a run without temperatures."""
+    if not heated(tables):
+        still = np.zeros(len(tables.total_columns["pressure"]))
+        return still, still, still
+    expansion = float(laws.steel_of_bearings().expansion)
+    ambient = tables.settings["heat_ambient_C"]
+    inner, balls, outer = (
+        expansion * (tables.total_columns[f"temperature_{part}"] - ambient) for part in PARTS[:3]
+    )
+    return inner, balls, outer
 
 
 def _last_jump(tables):

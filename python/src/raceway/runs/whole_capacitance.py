@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from raceway.arrays import Floats
 from raceway.errors import RunError
+from raceway.runs import separation, warming
 from raceway.runs.record_tables import ring_place
 from raceway.runs.regimes import need_film
 from raceway.runs.run import Run
@@ -21,9 +21,7 @@ from raceway.theory import (
     capacitance,
     capacitance_outside,
     capacitors,
-    film,
     film_voltage,
-    hertz,
 )
 from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.capacitance_outside import FILLS
@@ -94,10 +92,10 @@ def over_time(
     raceway, ball), `one_ball` (time, ball) and `bearing` (time).
 
     A contact has the film thickness of the run. If its load is below Q_u = m r omega_c^2 (for balls
-    of `density` in kg/m^3), it has the thickness at Q_u, which is extrapolated from the contact
-    with the largest load on the same raceway at that time, using the load exponent of eq 9. A gap
-    without load is at least as wide as the distance between ball and raceway that follows from the
-    positions of ball and ring.
+    of `density` in kg/m^3), it has the thickness at Q_u, by the load exponent of eq 9. A ball
+    without load has that of the contact with the largest load on the same raceway at that time, but
+    at least the distance between ball and raceway that follows from the positions of ball and ring
+    and, in a heated run, from the thermal expansion. `separation` describes films in the gap.
 
     `filling` is by default the filling of the run; in this case, separations and capacitances come
     from the record if it contains them (see the attribute `source`). For a ring with two grooves,
@@ -121,24 +119,23 @@ def over_time(
         if not {"angle", "h_c"} <= set(contacts):
             raise RunError(f"{run.tables.folder}: the contacts need the columns angle and h_c")
         gaps = _gaps(run.tables, run.balls, run.settings["clearance_m"])
+    within = separation.gap_film(run.tables)
     filling = filling_of(run) if filling is None else filling
     bearing, clearance = run.tables.geometry, run.settings["clearance_m"]
-    quiet = capacitors.quiet_load(bearing, _cage_speed(run), density)
+    quiet = capacitors.quiet_load(bearing, _cage_speed(run), density, cut=separation.cut(within))
     data = xr.Dataset(coords=gaps.coords)
     found, dims = [], gaps.dims
     for side, name in enumerate(() if two else SIDES):
         table = contacts.sel(raceway=name)
-        load = table["load"].to_numpy()
-        separation = _separation(bearing, side, table, quiet, clearance)
-        play = gaps.sel(raceway=name).to_numpy()
-        separation = np.where(load > 0, separation, np.maximum(separation, play))
+        gap = gaps.sel(raceway=name).to_numpy()
+        apart, play = separation.of_raceway(bearing, side, table, gap, quiet, within, clearance)
         found.append(
             capacitors.of_raceway(
                 bearing,
                 side,
                 run.settings["permittivity"],
-                load,
-                separation,
+                table["load"].to_numpy(),
+                apart,
                 np.nan_to_num(table["angle"].to_numpy()),
                 film_thickness=table["h_c"].fillna(1.0).to_numpy(),  # unused without load
                 play=play,
@@ -253,18 +250,20 @@ def _states(run, whole):
 
 def _gaps(tables: RunTables, balls, clearance):
     """Return the gaps (time, raceway, ball) in m between every ball and both grooves, computed only
-    from positions."""
+    from positions and, in a heated run, temperatures."""
     bearing, place = tables.geometry, np.stack([balls[axis].to_numpy() for axis in "xyz"])
+    inner, ball, outer = (one[:, None] for one in warming.strains(tables))
     out = []
-    for side in (INNER, OUTER):
+    for side, ring in ((INNER, inner), (OUTER, outer)):
         *centre, first, second = ring_place(tables.record, side, tables.first, tables.last)
         d = place - np.stack(centre)[:, :, None]
         e = np.stack([np.sin(second), -np.sin(first), np.zeros_like(first)])[:, :, None]
         e[2] = np.sqrt(1 - e[0] ** 2 - e[1] ** 2)
         along = (d * e).sum(0)
         radial = np.linalg.norm(d - along * e, axis=0)
-        distance = np.hypot(radial - bearing.groove_circle(side, clearance), along)
-        out.append(bearing.groove_gap(side) - distance)
+        circle = bearing.groove_circle(side, clearance) * (1 + ring)
+        slack = bearing.groove(side) * (1 + ring) - bearing.ball_radius * (1 + ball)
+        out.append(slack - np.hypot(radial - circle, along))
     return xr.DataArray(
         np.stack(out, axis=1),
         dims=("time", "raceway", "ball"),
@@ -276,19 +275,3 @@ def _cage_speed(run) -> float:
     balls = run.balls
     x, y = balls["x"], balls["y"]
     return float(((x * balls["vy"] - y * balls["vx"]) / (x * x + y * y)).mean())
-
-
-def _separation(bearing, side, table, quiet, clearance) -> Floats:
-    """Return h_c at the load max(Q, Q_u) as an array (time, ball)."""
-    load, thick = table["load"].to_numpy(), table["h_c"].to_numpy()
-    r_x, r_y = bearing.effective_radii(side, 0.0, clearance)
-    power = film.load_exponent(hertz.exact(r_x, r_y).kappa)
-    live = load > 0
-    if not live.any():
-        raise RunError(f"no ball is loaded on the {SIDES[side]} raceway in any sample")
-    # h_c Q^m at the largest load is the load-independent factor of the film thickness.
-    with np.errstate(invalid="ignore"):
-        factor = np.where(live, thick * load**power, 0.0)
-    top = np.take_along_axis(factor, load.argmax(1)[:, None], axis=1)
-    top = np.where(top > 0, top, np.median(top[top > 0]))
-    return np.where(live, factor, top) * np.maximum(load, quiet) ** -power

@@ -107,12 +107,16 @@ class BearingCapacitors(NamedTuple):
         return float(np.sum(self.ball[self.inner.load <= 0]))
 
 
-def quiet_load(bearing: Bearing, orbit: Numbers, density: float = 7850.0) -> Numbers:
+def quiet_load(
+    bearing: Bearing, orbit: Numbers, density: float = 7850.0, *, cut: float = 0.0
+) -> Numbers:
     """Return the centrifugal load Q_u = m r omega^2 in N of a ball without other load, but at least
-    0.1 N. `orbit` is the cage speed in rad/s, and `density` is the density of the ball in
-    kg/m^3."""
+    0.1 N. `orbit` is the cage speed in rad/s, and `density` is the density of the ball in kg/m^3.
+
+    A film in the gap has a constant thickness below the load `cut` in N (`film_gap.CUT`), so Q_u is
+    at least this load."""
     mass = 4 / 3 * np.pi * bearing.ball_radius**3 * density
-    return np.maximum(LEAST, mass * bearing.pitch_radius * np.square(orbit))[()]
+    return np.maximum(max(LEAST, cut), mass * bearing.pitch_radius * np.square(orbit))[()]
 
 
 def of_raceway(

@@ -15,7 +15,14 @@ import numpy as np
 from raceway import catalogue, inputs
 from raceway.arrays import Floats, plain, short
 from raceway.files import FilePath
-from raceway.theory import ball_pass, capacitors, film_voltage, impedance, lubrication
+from raceway.theory import (
+    ball_pass,
+    capacitors,
+    film_gap,
+    film_voltage,
+    impedance,
+    lubrication,
+)
 from raceway.theory.asperity import clarke
 from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.capacitors import FLOODED, BearingCapacitors, Filling
@@ -169,7 +176,11 @@ def solve(
             film=film,
         )
         films = lubrication.lubricate(body, state, oil, speed, clearance, film and film.factor)
-        return state, films, capacitors.quiet_load(body, orbit, density)
+        return (
+            state,
+            films,
+            capacitors.quiet_load(body, orbit, density, cut=film_gap.CUT if film else 0.0),
+        )
 
     if phase is None:
         over = ball_pass.over(placed, body.balls, lambda found: found[0].inner.load)
