@@ -14,7 +14,6 @@ twice its value.
 """
 
 import math
-import re
 from collections.abc import Mapping
 from importlib.resources import files
 from typing import Any, NamedTuple
@@ -88,11 +87,9 @@ def _torques(tables, figures):
     _, b = hertz.semi_axes(
         hertz.exact(r_x, r_y), bearing.effective_modulus, figures["q_inner_max_N"]
     )
-    commands = str(tables.record.attrs.get("pair_commands", ""))
-    found = re.search(r"\brolling_inlet (\S+)", commands)
-    left = float(rolling.inlet(float(found[1]) if found else 0.0, figures["h_c_m"], b, r_x))
-    lost = re.search(r"\brolling_hysteresis (\S+)", commands)
-    alpha = float(lost[1]) if lost else surfaces.loss
+    inlet = float(tables.pair_keyword("rolling_inlet") or 0.0)
+    left = float(rolling.inlet(inlet, figures["h_c_m"], b, r_x))
+    alpha = float(tables.pair_keyword("rolling_hysteresis") or surfaces.loss)
     mu = [
         traction.mixed(one, surfaces.boundary, surfaces.film)
         for one in (share, *(float(law(figures["lambda"])) for law in SHARES))
@@ -178,8 +175,7 @@ def _thinning(tables, figures, fluid):
     laws = {"murch": film_factors.murch_wilson(loading), "wilson": film_factors.wilson(loading)}
     if loading < GUPTA:
         laws["gupta"] = film_factors.gupta(loading, pressure)
-    commands = str(tables.record.attrs.get("pair_commands", ""))
-    own = re.search(r"\binlet_shear (\w+)", commands)
+    own = tables.pair_keyword("inlet_shear")
     if own is None:  # isothermal
         return [1.0, *map(float, laws.values())]
-    return [float(law / laws.get(own[1], laws["murch"])) for law in laws.values()]
+    return [float(law / laws.get(own, laws["murch"])) for law in laws.values()]

@@ -2,7 +2,6 @@
 """Separation of balls and raceways during a run, with and without load, as the engine defines it
 for the total capacitance."""
 
-import re
 from typing import NamedTuple
 
 import numpy as np
@@ -26,12 +25,10 @@ class GapFilm(NamedTuple):
 
 def gap_film(tables: RunTables) -> GapFilm | None:
     """Return the film in the gap of a run, or None if the film does not affect the load."""
-    commands = str(tables.record.attrs.get("pair_commands", ""))
-    share = re.search(r"\bgap (\S+)", commands)
+    share = tables.pair_keyword("gap")
     if share is None:
         return None
-    law = re.search(r"\bgap_film (\w+)", commands)
-    return GapFilm(float(share[1]), law is not None and law[1] == "moes")
+    return GapFilm(float(share), tables.pair_keyword("gap_film") == "moes")
 
 
 def cut(within: GapFilm | None) -> float:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The settings and samples in the folder of a run, as tables."""
 
+import re
 from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
@@ -72,6 +73,12 @@ class RunTables:
     def lubricated(self) -> bool:
         """True if the run had a lubricant."""
         return self.settings["lubricant"] not in NO_LUBRICANT
+
+    def pair_keyword(self, name: str) -> str | None:
+        """Return the first value of a keyword in the commands of the pair style, or None if these
+        do not contain it or were not recorded."""
+        found = re.search(rf"\b{name} (\S+)", str(self.record.attrs.get("pair_commands", "")))
+        return found[1] if found else None
 
     @property
     def finished(self) -> bool:

@@ -77,8 +77,7 @@ def of_run(
     changes by more than 1 %; `orders` overrides this choice, which `attrs["orders"]` records. A
     window lasts twelve periods of BPFO for an envelope and a quarter of a period for the signal
     itself. Raise `RunError` in the same cases as `spectrum.signal_of`, if the record is too short,
-    and if the shaft reverses
-    or is at rest.
+    and if the shaft reverses or is at rest.
     """
     values, sample_s, attrs = run.signal(name, ring)
     tracked = order_tracking.changes_speed(run, len(values)) if orders is None else orders
