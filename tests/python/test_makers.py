@@ -60,6 +60,46 @@ def test_axial_load_joins_on():
     assert found.sliding == pytest.approx(expected, rel=1e-6)
 
 
+def hertz_sums(zone, angle, power):
+    """Return (radial load, thrust, sum of Q^`power`) per ball for balls at a constant contact
+    `angle` in rad with loads up to 1, of which the load parameter of Sjoevall is `zone`."""
+    azimuth = (np.arange(3600) + 0.5) * np.pi / 1800
+    load = np.maximum(1 - (1 - np.cos(azimuth)) / (2 * zone), 0.0) ** 1.5
+    radial = np.mean(load * np.cos(azimuth)) * np.cos(angle)
+    return radial, load.mean() * np.sin(angle), np.mean(load**power)
+
+
+def test_rolling_under_thrust_is_that_of_a_load_zone_of_half_the_balls():
+    """R2 of deep groove bearings, the radial load that rolls as heavily as a thrust times sin
+    alpha, follows from a bearing without clearance whose contacts resist with Q^0.54."""
+    radial, _, rolled = hertz_sums(0.5, 0.0, 0.54)
+    for r1, r2, *_ in makers.CONSTANTS.values():
+        assert r2 == pytest.approx(radial / rolled ** (1 / 0.54), rel=1e-3)
+
+
+@pytest.mark.parametrize("zone", [0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 5.0, 20.0])
+def test_thrust_of_angular_contact_bearings(zone):
+    """The torques under a radial load and a thrust are those of the loads of the balls: Q^0.54 for
+    rolling and Q^(4/3) for spin. A radial load alone loads half of the balls, and the thrust that
+    this requires is part of it."""
+    bearing, angle = makers.Boundary(40.0, 80.0, 18.0, "72", 21.3e3), np.radians(40.0)
+    point = 1e-3, 46.0  # at low speed, without centrifugal forces
+
+    def torque(radial, axial):
+        return makers.skf(bearing, radial, axial, *point)
+
+    half = [hertz_sums(0.5, angle, power) for power in (0.54, 4 / 3)]
+    scale = 1000 / half[0][0]  # N
+    alone = torque(1000.0, 0.0)
+    for power, (*_, sum_at_half), part in zip((0.54, 4 / 3), half, ("rolling", "sliding")):
+        radial, axial, total = hertz_sums(zone, angle, power)
+        found = getattr(torque(scale * radial, scale * axial), part) / getattr(alone, part)
+        assert found == pytest.approx(total / sum_at_half, rel=0.15)
+    # the induced thrust follows from the same loads
+    assert half[0][1] / half[0][0] == pytest.approx(makers.INDUCED, rel=0.03)
+    assert torque(1000.0, 1000.0 * makers.INDUCED) == alone
+
+
 def test_drag():
     assert makers.drag(B6208, 1000.0, 46.0, 0.0) == 0
     levels = np.linspace(0.5, 72.0, 60)
