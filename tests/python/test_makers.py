@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Makers' formulas for the friction torque give the published values. Their limits and continuity
-are tested too."""
+are tested too, and the bearings that they imply."""
+
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
-from raceway import makers
+from raceway import inputs, makers, static
+
+BEARINGS = Path(__file__).resolve().parents[2] / "inputs/bearings"
 
 B6208 = makers.Boundary(40.0, 80.0, 18.0, "62", 19e3)
 SPEEDS = np.array([48.0, 477.5, 1910.0, 9549.0])
@@ -73,8 +78,27 @@ def test_rolling_under_thrust_is_that_of_a_load_zone_of_half_the_balls():
     """R2 of deep groove bearings, the radial load that rolls as heavily as a thrust times sin
     alpha, follows from a bearing without clearance whose contacts resist with Q^0.54."""
     radial, _, rolled = hertz_sums(0.5, 0.0, 0.54)
-    for r1, r2, *_ in makers.CONSTANTS.values():
+    for _, r2, *_ in makers.CONSTANTS.values():
         assert r2 == pytest.approx(radial / rolled ** (1 / 0.54), rel=1e-3)
+
+
+@pytest.mark.parametrize("name", ["6204", "6205", "6208", "6308", "6310"])
+@pytest.mark.parametrize("thrust", [0.02, 0.1, 0.4])  # over C0
+def test_contact_angle_of_deep_groove_bearings(name, thrust):
+    """SKF's contact angle is that of a bearing without clearance whose groove radii add up to 1.046
+    ball diameters; `tests/bench/torque_points.py` uses such grooves."""
+    path = BEARINGS / name
+    own, rating = inputs.bearing(path), inputs.boundary(path).static_rating
+    size = own.ball_diameter
+    bearing = replace(own, inner_groove=0.518 * size, outer_groove=0.528 * size)
+
+    def angle(clearance):
+        loads = 0.0, thrust * rating
+        state = static.equilibrium(bearing, *loads, clearance=clearance, held=static.STRAIGHT)
+        return np.degrees(state.inner.angle[0])
+
+    assert angle(0.0) == pytest.approx(makers.contact_angle(rating, thrust * rating), rel=0.03)
+    assert angle(13e-6) > makers.contact_angle(rating, thrust * rating) * 1.03
 
 
 @pytest.mark.parametrize("zone", [0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 5.0, 20.0])

@@ -104,7 +104,8 @@ def skf(
 ) -> Torque:
     """Compute the `Torque` under a `radial` and an `axial` load in N at `speed` in rpm, with an oil
     of `kinematic` viscosity in mm^2/s. In angular contact bearings, `axial` includes the thrust
-    that the radial load induces; SKF's formula requires the external part alone.
+    that the radial load induces; SKF's formula requires the external part alone (General Catalogue
+    6000, page 91).
 
     `replenishment` is K_rs, and `boundary` and `film` are mu_bl and mu_EHL. `level` is the height
     of the oil above the lowest point of the raceway in mm (0: no drag). Raises `ValueError` if it
@@ -132,8 +133,8 @@ def _geometric(bearing, radial, axial, speed):
             s1 * mean**0.26 * ((radial + s3 * thrown) ** (4 / 3) + s2 * external ** (4 / 3)),
         )
     r1, r2, s1, s2 = CONSTANTS[SAME.get(bearing.series, bearing.series)]
-    # degrees; if there is no axial load, the term with the angle is multiplied by zero
-    angle = 24.6 * (np.where(axial > 0, axial, 1.0) / bearing.static_rating) ** 0.24
+    # if there is no axial load, the term with the angle is multiplied by zero
+    angle = contact_angle(bearing.static_rating, np.where(axial > 0, axial, 1.0))
     sine = np.sin(np.radians(angle))
     slid = np.where(
         axial > 0,
@@ -141,6 +142,12 @@ def _geometric(bearing, radial, axial, speed):
         s1 * mean**-0.26 * radial ** (5 / 3),
     )[()]
     return r1 * mean**1.96 * (radial + r2 * axial / sine) ** 0.54, slid
+
+
+def contact_angle(static_rating: float, axial: Numbers) -> Numbers:
+    """Return alpha_F of SKF's model in degrees, the contact angle of a deep groove bearing with the
+    `static_rating` C0 in N under an `axial` load in N."""
+    return 24.6 * (axial / static_rating) ** 0.24
 
 
 def drag(bearing: Boundary, speed: Numbers, kinematic: Numbers, level: float) -> Numbers:
