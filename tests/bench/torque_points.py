@@ -214,7 +214,7 @@ requires the thrust without this part (GC, page 91). A radial load alone stands 
 which half of the balls are loaded; at a contact angle of 40°, this requires a thrust of 1.02 times
 the radial load, and SKF states a factor of 1 (GC, page 417). The formula then agrees within 15 %
 with sums of :math:`Q^{0.54}` and :math:`Q^{4/3}` over the balls for any combined load. With the
-whole thrust, it would be up to 1.8 times too high.
+whole thrust, it would be up to 1.8 times as high as these sums.
 
 *Centrifugal forces.* The formula for deep groove bearings has none. The formula for angular contact
 bearings adds a radial load, which is 2460 N for a 7208B at 10,000 rpm, although the centrifugal
