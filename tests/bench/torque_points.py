@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Compare the friction torque by statics with the models `full` with SKF's formula at 40 points of
-eight bearings, and the heat at the reference speed of five; writes docs/torque_points.rst.
+eight bearings, and the heat at the reference speed of five; write the tables and the mean ratios
+of docs/torque_points.rst.
 
     .venv/bin/python tests/bench/torque_points.py [--no-page]
 
@@ -146,101 +147,39 @@ def off(own, skf):
     return [share for share in large if not 1 / MOST_OFF <= own[share] / skf[share] <= MOST_OFF]
 
 
-HEAD = """Friction torque compared with SKF's formula
-===========================================
-
-This page is written by ``tests/bench/torque_points.py``. It compares the friction torque from
-statics with the models ``full`` to that from SKF's formula. Statics assumes conformities of 0.52
-and 0.53 (unless the bearing's file specifies others), no clearance, rigid rings, an inner ring that
-is free to tilt, and the oil
-``vg46`` at the temperature at which it has the stated viscosity. SKF's formula is evaluated for
-:math:`\\mu_{bl}` = 0.12, :math:`\\mu_{EHL}` = 0.05 and the same oil. An oil bath reaches the middle
-of the lowest ball. No constant is fitted to SKF's formula. The first table lists torques in N mm:
-the value from statics, then the value from SKF's formula. Rolling includes hysteresis; sliding is
-the sum of slip and spin. A contribution is printed in bold if it differs from SKF's value by a
-factor of more than 1.5 and SKF's value is above 10 % of SKF's total torque.
-"""
-
-WHY = """*Light load and high speed* (0.02 :math:`C_0`, 10,000 rpm): the rolling torque of deep
-groove bearings is 1.17 to 1.51 times SKF's. Friction cannot hold the balls of a 7208B against their
-gyroscopic moment. They skid, so they orbit at 0.54 times the speed of the ring instead of 0.42
-times, and their drag is 2.5 times SKF's. Statics solves for this motion (:doc:`tribology`), and a
-run whose inner ring is held in its plane has the same torque within 0.5 % (153 N mm with a cage
-ring; ``tests/scenarios/test_thrust_motion.py``). In a run whose ring is free in its plane, the
-skidding balls make the ring whirl, and the mean torque is 201 N mm. With Eyring's stress in the
-film (``eyring``) the torque is 133 N mm instead of 147 N mm without the cage's losses, and the mean
-coefficient of friction is 0.002 to 0.01 instead of 0.05. The balls of a 7205B slide only slowly;
-the torque is 16.6 N mm in statics and in a run and 25.3 N mm according to SKF's formula.
-
-*High load and low speed, combined and axial loads*: rolling is 0.66 to 1.04 times SKF's value, and
-sliding 0.55 to 1.0 times unless the cage restrains balls; both ratios are lowest for balls with
-spin. SKF's formula adds the radial
-load to about twice the axial load. A thrust, however, loads all balls, and a radial load then only
-moves load from one half of them to the other: if a radial load of 0.05 :math:`C_0` is added to a
-thrust of 0.1 :math:`C_0` on a 7208B at 1000 rpm, SKF's rolling torque rises by 13 %, whereas that
-in statics falls by 4 %, as it grows more slowly than the load. Runs whose ring cannot tilt have the
-same torque as statics within 1 % (``tests/scenarios/test_statics_and_runs.py``). Sliding grows with
-the square of the contact width and thus depends on the conformity of the grooves, which no
-catalogue states (see below).
-
-*Balls restrained by the cage*: under a combined load, a ring that is free to tilt makes the balls
-of a 7205B and a 7208B run 1.4 to 2.1 mm ahead of and behind one another in pockets with a play of
-0.2 and 0.3 mm (:doc:`cage`). They slip, and sliding is 1.9 to 2.0 times SKF's value in these four
-points. With a cage ring, which the shares leave out, a 7208B under 0.05 and 0.1 :math:`C_0` has a
-torque of 596 N mm in statics, 423 N mm of it at the cage, and of 608 N mm in a run (381 N mm).
-"""
-
-CONFORMITY = """Conformity of the grooves
--------------------------
-
-Manufacturers do not publish the groove radii of their bearings. Our defaults are 0.52 and 0.53
-times the ball diameter (:doc:`catalogue`). If all bearings are assumed to have the same
-conformities, the 40 points give these ratios. With 0.51 and 0.52, the skidding balls of the 7205B
-and the 7208B climb over the shoulder of the inner raceway under 0.02 :math:`C_0`, as in a run, and
-these two points are left out:
-"""
-
-
-def wrapped(text):
-    """Return `text` with its paragraphs wrapped at WIDTH; headings and tables stay as they are."""
-    blocks = text.split("\n\n")
-    return "\n\n".join(
-        block
-        if block.startswith((".. ", "   ")) or block.endswith(("===", "---"))
-        else textwrap.fill(block, WIDTH, break_long_words=False, break_on_hyphens=False)
-        for block in blocks
-    )
-
-
-def page(found, straight, others, heats):
-    lines = []
+def tables(found, others, heats):
+    """Return the rows of the tables of the page, in their order."""
+    points = []
     for name, (radial, axial, rpm, viscosity), own, skf in found:
         wrong = off(own, skf)
         cells = [f"{own[one]:.3g} / {skf[one]:.3g}" for one in SHARES]
         cells = [f"**{cell}**" if one in wrong else cell for one, cell in zip(SHARES, cells)]
         totals = total(own), total(skf)
-        lines.append(
+        points.append(
             [name, f"{radial:g}, {axial:g}", f"{rpm:g}, {viscosity:g}", *cells,
              "{:.3g} / {:.3g}".format(*totals), f"{totals[0] / totals[1]:.2f}"]
         )  # fmt: skip
-    header = ("bearing", "radial, axial load over :math:`C_0`", "rpm, mPa s", *SHARES, "sum",
-              "ratio")  # fmt: skip
     heat_lines = [
         [name, f"{rpm:g}", f"{own:.1f}", f"{carried:.1f}", f"{own / carried:.2f}"]
         for name, (rpm, own, carried) in heats.items()
     ]
-    text = "\n".join(
-        [HEAD, summary(found, straight), "", WHY, *csv_table(header, lines), CONFORMITY,
-         *csv_table(("conformities", "points", "geometric mean", "spread", "lowest", "highest",
-                     "with a bold contribution"), [others_line(*one) for one in others.items()]),
-         "Reference speed", "---------------",
-         "",
-         "The table compares the heat generated in statics without drag (catalogue's reference"
-         " speed, 0.05 :math:`C_0`, vg32 at 12 mm²/s) with the cooling power according to ISO"
-         " 15312 at 50 K.", "",
-         *csv_table(("bearing", "rpm", "own W", "ISO 15312 W", "ratio"), heat_lines)]
-    )  # fmt: skip
-    return f"{wrapped(text.rstrip())}\n"
+    return points, [others_line(*one) for one in others.items()], heat_lines
+
+
+def page(text, first, rows):
+    """Return the `text` of the page with `first` as the paragraph that begins with its first words,
+    and with new rows below the headings of its tables."""
+    start = first[:12]
+    blocks = iter(rows)
+    found = []
+    for block in text.split("\n\n"):
+        if block.startswith(start):
+            block = textwrap.fill(first, WIDTH, break_long_words=False, break_on_hyphens=False)
+        elif block.startswith("   ") and not block.startswith("   :"):
+            heading = block.split("\n")[0]
+            block = "\n".join([heading, *csv_table((), next(blocks))[4:-1]])
+        found.append(block)
+    return "\n\n".join(found).rstrip() + "\n"
 
 
 def total(torques, names=SHARES):
@@ -293,7 +232,8 @@ def main():
     for conformity, points in others.items():
         print(*others_line(conformity, points))
     if not parser.parse_args().no_page:
-        PAGE.write_text(page(found, straight, others, heats))
+        new = page(PAGE.read_text(), summary(found, straight), tables(found, others, heats))
+        PAGE.write_text(new)
 
 
 if __name__ == "__main__":
