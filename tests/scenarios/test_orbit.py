@@ -7,9 +7,10 @@ import pytest
 import raceway
 from host import ROOT, deck_file, succeed
 from raceway import beam, beam_motion, bending_file, shaft_bending
+from recorded_runs import differ
 
 from scenarios.test_run_bearing import DECK as run_deck
-from scenarios.test_run_bearing import IMPLICIT, TURNS, differ, stop, values
+from scenarios.test_run_bearing import IMPLICIT, TURNS, numbers, stop
 
 DECK = "inputs/in.6208"
 FULL = {"models": "full", "passes": 1}
@@ -178,7 +179,7 @@ def test_stopped_on_the_way(at, whole, tmp_path):
     stop(tmp_path, SHORT, at)
     succeed(run_deck, out=tmp_path, resume="yes", **SHORT)
     assert differ(whole, tmp_path) == []
-    assert values(whole)[1] == values(tmp_path)[1]
+    assert numbers(whole) == numbers(tmp_path)
 
 
 def test_stopped_among_coarse_ball_passes(tmp_path):
@@ -189,7 +190,7 @@ def test_stopped_among_coarse_ball_passes(tmp_path):
     stop(tmp_path / "parts", scene, 2)
     succeed(run_deck, out=tmp_path / "parts", resume="yes", **scene)
     assert differ(tmp_path / "whole", tmp_path / "parts") == []
-    assert values(tmp_path / "whole")[1] == values(tmp_path / "parts")[1]
+    assert numbers(tmp_path / "whole") == numbers(tmp_path / "parts")
 
 
 def test_the_last_ball_pass_has_the_steps_of_the_deck(tmp_path):
