@@ -111,12 +111,6 @@ def test_columns(tmp_path):
         )
 
 
-def test_instants_do_not_change_the_motion(tmp_path):
-    for name, within in (("one", 1), ("many", 7)):
-        sampled(tmp_path / name, within, sample=4e-4, samples=10, inner=TILTED)
-    assert (tmp_path / "one/balls.dump").read_bytes() == (tmp_path / "many/balls.dump").read_bytes()
-
-
 FILM = """include inputs/bearings/6208
 pair_style bearing/ehd young 2.07e11 2.07e11 poisson 0.29 0.29 lubricant 0.04 2e-8 &
   roughness 1e-7 1e-7
