@@ -129,13 +129,6 @@ timestep 1.0e-5
     [
         (
             (
-                "fix m all bearing/implicit\nfix c balls bearing/capacitance 2 permittivity 2.2"
-                " within 4"
-            ),
-            "N must be 1, not 2",
-        ),
-        (
-            (
                 "fix m all bearing/implicit\nfix c balls bearing/capacitance 1 permittivity 2.2"
                 " within 0"
             ),
@@ -148,19 +141,12 @@ timestep 1.0e-5
         (
             (
                 "fix m all bearing/implicit\nfix c balls bearing/capacitance 1 permittivity 2.2"
-                " within 4\nfix d balls bearing/capacitance 1 permittivity 2.3 within 4"
-            ),
-            "two fixes request different data between the steps of fix m",
-        ),
-        (
-            (
-                "fix m all bearing/implicit\nfix c balls bearing/capacitance 1 permittivity 2.2"
                 " file no/such/folder/f"
             ),
             "cannot write 'no/such/folder/f'",
         ),
     ],
-    ids=["N", "range", "verlet", "two wishes", "file"],
+    ids=["range", "verlet", "file"],
 )
 def test_mistakes_are_named(fixes, message, tmp_path):
     refuses(deck_file(tmp_path, BOX + FILM + fixes + "\nrun 1\n"), message, timeout=60)

@@ -150,15 +150,6 @@ def test_choice_of_columns(tmp_path):
         assert np.array_equal(data["load"].sel(raceway="inner").max("ball"), loads.astype("f4"))
 
 
-def test_summary(tmp_path):
-    succeed(small(tmp_path, "content summary"))
-    with opened(tmp_path / "run") as data:
-        assert not [
-            name for name in data.data_vars if "ball" in data[name].dims and data[name].ndim > 1
-        ]
-        assert float(data["bearing_load_inner"].max()) > 2000
-
-
 def test_none(tmp_path):
     succeed(small(tmp_path))
     succeed(small(tmp_path, "content none overwrite yes text note quiet"))
