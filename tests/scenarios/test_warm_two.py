@@ -6,9 +6,8 @@ import re
 
 import numpy as np
 import pytest
+import raceway
 from host import ROOT, columns, deck_file, refuses, succeed
-from raceway.runs.summary import summary
-from raceway.runs.tables import RunTables
 
 DECK = "tests/scenarios/in.warm_two"
 TEMPERATURES = ["temperature_inner", "temperature_balls", "temperature_outer"]
@@ -71,7 +70,7 @@ def own_ambients(folder, **variables):
         assert old in text
         text = text.replace(old, new)
     succeed(deck_file(folder, text), out=folder, until_a=20, until_b=20, **variables)
-    return [summary(RunTables(folder, bearing=number)) for number in (1, 2)]
+    return [raceway.open(folder).select(number).summary() for number in (1, 2)]
 
 
 def test_summaries_of_bearings_with_their_own_ambient(tmp_path):
