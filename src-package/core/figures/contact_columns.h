@@ -27,7 +27,6 @@ double azimuth(const raceway::Vec3 &u, int axis);
 
 class ContactColumn {
  public:
-  using OfState = double (*)(const raceway::Raceway &, const raceway::ContactState &);
   using OfView = double (*)(const ContactView &);
 
   explicit ContactColumn(const raceway::StateColumn &c) :
@@ -41,7 +40,7 @@ class ContactColumn {
   }
   double value(const ContactView &c) const
   {
-    return of_state_ ? of_state_(c.raceway, c.state) : of_view_(c);
+    return of_view_ ? of_view_(c) : of_state_(c.raceway, c.state);
   }
   bool needs_film() const { return needs != raceway::Needs::nothing; }
   bool needs_capacitance() const { return needs >= raceway::Needs::capacitance; }
@@ -55,8 +54,8 @@ class ContactColumn {
   bool of_many_grooves = false;    // not part of `all` if every ring has only one groove
 
  private:
-  OfState of_state_ = nullptr;
-  OfView of_view_ = nullptr;
+  raceway::StateValue of_state_;
+  OfView of_view_ = nullptr;    // used instead of of_state_ if it is not null
 };
 
 const std::vector<ContactColumn> &contact_columns();                  // in the order of all outputs

@@ -14,10 +14,8 @@ inline std::vector<StateColumn> motion_columns()
            [](const Raceway &p, const ContactState &s) {
              return std::atan2(p.groove.side == Side::inner ? -s.ne : s.ne, std::fabs(s.nu));
            }},
-          {{"overlap", "m", "elastic approach"},
-           [](const Raceway &, const ContactState &s) { return s.overlap; }},
-          {{"entrainment", "m/s", "entrainment speed along rolling"},
-           [](const Raceway &, const ContactState &s) { return s.entrainment; }},
+          {{"overlap", "m", "elastic approach"}, &ContactState::overlap},
+          {{"entrainment", "m/s", "entrainment speed along rolling"}, &ContactState::entrainment},
           {{"sliding", "m/s", "speed of the ball's surface relative to that of the ring"},
            [](const Raceway &, const ContactState &s) {
              return std::hypot(s.sliding_t, s.sliding_w);

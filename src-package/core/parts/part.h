@@ -84,10 +84,26 @@ template <class Own> struct Keyword {
   const char *note = "";                                   // text for the command's documentation
 };
 
+// The value of a column: a member of the contact's state, which is read without a call, or a
+// function of it.
+class StateValue {
+ public:
+  StateValue(double ContactState::*member = nullptr) : member_(member) {}
+  template <class F> StateValue(F of, decltype(+of) = nullptr) : of_(of) {}
+  double operator()(const Raceway &p, const ContactState &s) const
+  {
+    return member_ ? s.*member_ : of_(p, s);
+  }
+
+ private:
+  double ContactState::*member_ = nullptr;
+  double (*of_)(const Raceway &, const ContactState &) = nullptr;
+};
+
 // An output column that is computed from the state of a contact.
 struct StateColumn {
   Column is;
-  double (*value)(const Raceway &, const ContactState &);
+  StateValue value;
   Needs needs = Needs::nothing;
   bool usual = true;    // included in records by default
 };

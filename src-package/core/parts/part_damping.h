@@ -28,7 +28,7 @@ struct HysteresisPart : PartBase {
   static std::vector<StateColumn> columns()
   {
     return {{{"damping", "N s/m", "normal damping by the material and the film", vanishes},
-             [](const Raceway &, const ContactState &s) { return s.damping; }}};
+             &ContactState::damping}};
   }
 
   template <class T>
@@ -106,8 +106,7 @@ struct NormalForcePart : PartBase {
 
   static std::vector<StateColumn> columns()
   {
-    return {{{"normal", "N", "normal force with damping", vanishes},
-             [](const Raceway &, const ContactState &s) { return s.normal; }}};
+    return {{{"normal", "N", "normal force with damping", vanishes}, &ContactState::normal}};
   }
 
   template <class T>

@@ -57,7 +57,7 @@ struct DragPart : PartBase {
   {
     return {
         {{"drag", "N", "drag of oil and air on the ball, counted at the outer raceway", vanishes},
-         [](const Raceway &, const ContactState &s) { return s.drag; },
+         &ContactState::drag,
          Needs::nothing,
          false}};
   }

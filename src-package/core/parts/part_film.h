@@ -103,12 +103,8 @@ struct FilmThicknessPart : PartBase {
 
   static std::vector<StateColumn> columns()
   {
-    return {{{"h_min", "m", "minimum film thickness"},
-             [](const Raceway &, const ContactState &s) { return s.h_min; },
-             Needs::film},
-            {{"lambda", "", "lambda ratio"},
-             [](const Raceway &, const ContactState &s) { return s.lambda; },
-             Needs::film},
+    return {{{"h_min", "m", "minimum film thickness"}, &ContactState::h_min, Needs::film},
+            {{"lambda", "", "lambda ratio"}, &ContactState::lambda, Needs::film},
             {{"regime", "", "0 boundary, 1 mixed, 2 full film", has_none, as_whole},
              [](const Raceway &p, const ContactState &s) {
                return double(regime({0.0, 0.0, p.lambda_1, p.lambda_2}, s.lambda));

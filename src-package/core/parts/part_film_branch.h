@@ -39,7 +39,7 @@ struct FilmBranchPart : PartBase {
   static std::vector<StateColumn> columns()
   {
     return {{{"film_force", "N", "force of the film's Maxwell branch", vanishes},
-             [](const Raceway &, const ContactState &s) { return s.film_force; },
+             &ContactState::film_force,
              Needs::film,
              false}};
   }

@@ -59,7 +59,7 @@ struct FilmInGapPart : PartBase {
   static std::vector<StateColumn> columns()
   {
     return {{{"compression", "m", "elastic approach of the bodies", vanishes},
-             [](const Raceway &, const ContactState &s) { return s.compression; },
+             &ContactState::compression,
              Needs::film,
              false}};
   }

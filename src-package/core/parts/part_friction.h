@@ -39,8 +39,7 @@ struct SpinLoss {
 // all tangential laws.
 inline std::vector<StateColumn> coefficient_columns()
 {
-  return {{{"mu", "", "friction coefficient"},
-           [](const Raceway &, const ContactState &s) { return s.mu; }}};
+  return {{{"mu", "", "friction coefficient"}, &ContactState::mu}};
 }
 inline std::vector<StateColumn> tangential_columns()
 {
@@ -49,11 +48,11 @@ inline std::vector<StateColumn> tangential_columns()
              return std::hypot(s.friction_t, s.friction_w);
            }},
           {{"friction_t", "N", "tangential force along rolling, on the ring", vanishes},
-           [](const Raceway &, const ContactState &s) { return s.friction_t; },
+           &ContactState::friction_t,
            Needs::nothing,
            false},
           {{"friction_w", "N", "tangential force across rolling, on the ring", vanishes},
-           [](const Raceway &, const ContactState &s) { return s.friction_w; },
+           &ContactState::friction_w,
            Needs::nothing,
            false}};
 }

@@ -41,10 +41,9 @@ struct HertzContactPart : PartBase {
   static std::vector<StateColumn> columns()
   {
     return {
-        {{"load", "N", "elastic contact load", vanishes},
-         [](const Raceway &, const ContactState &s) { return s.load; }},
+        {{"load", "N", "elastic contact load", vanishes}, &ContactState::load},
         {{"stiffness", "N/m", "derivative of the load with respect to the overlap", vanishes},
-         [](const Raceway &, const ContactState &s) { return s.stiffness; },
+         &ContactState::stiffness,
          Needs::nothing,
          false},
         {{"a", "m", "semi-axis of the contact ellipse across the groove", vanishes},

@@ -76,7 +76,7 @@ struct MixedFrictionPart : PartBase {
   {
     std::vector<StateColumn> list = coefficient_columns();
     list.push_back({{"asperity_share", "", "fraction of the load carried by asperities"},
-                    [](const Raceway &, const ContactState &s) { return s.asperity_share; },
+                    &ContactState::asperity_share,
                     Needs::film,
                     false});
     return list;
