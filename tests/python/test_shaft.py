@@ -5,6 +5,7 @@ single bearing."""
 import contextlib
 import io
 import json
+import re
 
 import numpy as np
 import pytest
@@ -175,6 +176,26 @@ def test_one_bearing_is_its_statics():
     assert found.bearings[0].place[3:] == pytest.approx(want.tilt, rel=1e-6)
     assert found.place[1, 3] == pytest.approx(want.tilt[0] + tilt, rel=1e-6)
     assert found.bearings[0].state.inner.load == pytest.approx(want.inner.load, abs=1e-3)
+
+
+@pytest.mark.parametrize("density", [3200, 7800])
+def test_density_of_the_balls(capsys, tmp_path, density):
+    """At a high speed, the stiffness depends on the density of the balls in the bearing's file. It
+    is the same from statics, on a shaft and in a table for rotors."""
+    file, beam_of_one, out = (tmp_path / name for name in ("mine", "shaft", "table.json"))
+    text = (ROOT / "inputs/bearings/6208").read_text()
+    file.write_text(re.sub(r"(ball_density +index) \S+", rf"\1 {density}", text))
+    beam_of_one.write_text(
+        "rpm: 12000\nsections: [{length: 0.1, diameter: 0.3}]\n"
+        f"bearings: [{{name: {file}, at: 0.05}}]\nloads: [{{at: 0.05, force: [1000, 0, 0]}}]\n"
+    )
+    point = ["--bearing", file, "--load", "1000", "--rpm", "12000"]
+    alone = answer(capsys, ["static", *point])["stiffness"]
+    (carried,) = answer(capsys, ["shaft", beam_of_one])["bearings"]
+    reply(capsys, ["stiffness", *point, "--phases", "1", "--out", out])
+    (row,) = json.loads(out.read_text())["points"]
+    for found in (carried["stiffness"], row["stiffness"]):
+        assert np.diag(found) == pytest.approx(np.diag(alone), rel=2e-3)
 
 
 def test_preload_by_a_spacer():
