@@ -55,6 +55,21 @@ def test_own_weight():
     assert end[1] == pytest.approx(-want, rel=1e-6)
 
 
+@pytest.mark.parametrize("length", [0.1, 0.1 + 4.9e-10, 0.1 - 4.9e-10, 1 / 3, 2 / 3])
+def test_nodes_are_places_on_the_shaft(capsys, tmp_path, length):
+    sections = [Section(length, 0.04), Section(2 * length, 0.05)]
+    z, pieces = beam.divided(sections, [0.0, 3 * length])
+    again, same = beam.divided(sections, z)
+    assert again.tolist() == z.tolist() and same == pieces and len(pieces) == 2
+    parts = ", ".join(f"{{length: {one.length}, diameter: {one.diameter}}}" for one in sections)
+    seats = ", ".join(f"{{name: 6208, at: {share * length}}}" for share in (0.5, 3))
+    path = tmp_path / "shaft"
+    path.write_text(
+        f"sections: [{parts}]\nbearings: [{seats}]\nloads: [{{at: {length}, force: [9, 0, 0]}}]"
+    )
+    assert answer(capsys, ["shaft", path])["z_m"][-1] == pytest.approx(3 * length, abs=1e-9)
+
+
 def test_rigid_motions_cost_nothing():
     """The energy of a displacement, and of a small rotation about x and y, is zero compared with
     the bending energy."""
