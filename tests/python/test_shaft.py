@@ -106,6 +106,31 @@ def test_a_floating_bearing_that_carries_nothing(speed):
     assert one.state.inner.load == pytest.approx(alone.inner.load, rel=1e-6)
 
 
+@pytest.mark.parametrize("misaligned", [0.0, 1e-3])
+@pytest.mark.parametrize("load", [100.0, 1000.0])
+def test_a_floating_bearing_that_carries_little(load, misaligned):
+    """A floating bearing takes up its clearance and carries the part of the load that balances the
+    moment about the fixed bearing."""
+    offset = (0.0, 0.0, 0.0, misaligned, 0.0)
+    seats = [Seat(0.03, B6208, 10e-6), Seat(0.2, B6208, 20e-6, offset, floating=True)]
+    pushed = [Load(0.05, (load, 0.0, 100.0))]
+    first, second = shaft.rest(Shaft([Section(0.25, 0.05)]), seats, pushed).bearings
+    assert first.load[:3] + second.load[:3] == pytest.approx([load, 0, 100], abs=1e-6)
+    about_y = first.load[4] + second.load[4] + 0.17 * second.load[0]
+    assert second.load[2] == 0 and about_y == pytest.approx(0.02 * load, abs=1e-6)
+
+
+@pytest.mark.parametrize("tilt", [0.0, 58e-6, 120e-6])
+@pytest.mark.parametrize("shift", [10.5e-6, 11e-6, 11.2e-6, 12e-6])
+def test_a_held_ring_that_slides(shift, tilt):
+    """A ring that is held in all directions but z slides to where it has no axial load."""
+    held = dict(x=shift, y=0.0, rx=0.0, ry=tilt)
+    found = static.equilibrium(B6208, held=held, clearance=20e-6)
+    assert found.force[0] < 0 and abs(found.force[2]) < 1e-9
+    mirrored = static.equilibrium(B6208, held=held | {"ry": -tilt}, clearance=20e-6)
+    assert mirrored.shift == pytest.approx(found.shift * [1, 1, -1], rel=1e-6, abs=1e-14)
+
+
 def _centrifugal(speed):
     return dict(orbital_speed=speed * (1 - B6208.ball_radius / B6208.pitch_radius) / 2)
 
