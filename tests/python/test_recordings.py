@@ -15,6 +15,7 @@ from raceway.datasets import make
 from raceway.errors import RunError
 from raceway.recordings import orders
 from raceway.recordings.contents import GRAVITY, POUND
+from raceway.runs.source import Signal
 from raceway.sweeps.points import Point
 from scipy import io
 from scipy.io import wavfile
@@ -161,6 +162,17 @@ def test_separators(tmp_path, bearing, mark, head, names):
     wanted = names[-2:] if head else [f"column_{k + 1}" for k in range(len(names))][-2:]
     assert list(found.channels) == wanted
     assert found.signal().values == pytest.approx(values, rel=1e-8)
+
+
+@pytest.mark.parametrize("scale", [1e-120, 1.0, 1e120])
+def test_level_scales_with_the_signal(scale):
+    """A level has the unit of the signal, but its kurtosis has none, however large the values."""
+    noise = np.random.default_rng(1).normal(2.0, 3.0, 100000)
+    noise /= noise.std() / 3.0
+    found = recording.level(Signal(scale * noise, 1e-4, {}))
+    assert found.rms == pytest.approx(3.0 * scale, rel=1e-12, abs=0)
+    assert found.peak == pytest.approx(scale * np.abs(noise - noise.mean()).max(), rel=1e-9, abs=0)
+    assert found.kurtosis == pytest.approx(3.0, abs=0.1)
 
 
 @pytest.mark.parametrize("end", ["", ";"])
