@@ -120,6 +120,21 @@ def test_a_floating_bearing_that_carries_little(load, misaligned):
     assert second.load[2] == 0 and about_y == pytest.approx(0.02 * load, abs=1e-6)
 
 
+@pytest.mark.parametrize("speed", [0.0, 600.0])
+@pytest.mark.parametrize("place", [0.02, 0.034, 0.21])
+def test_a_light_load(place, speed):
+    """The bearings carry a load of a few newtons that first moves the shaft through their
+    clearances; nothing holds the shaft along its axis except these bearings."""
+    seats = [Seat(0.03, B6208, 10e-6), Seat(0.2, B6208, 30e-6, (0, 0, 0, 0, -5e-4), floating=True)]
+    load = Load(place, (2.0, -3.0, 0.0))
+    found = shaft.rest(Shaft([Section(0.25, 0.05)]), seats, [load], speed=speed).bearings
+    carried = sum(one.load for one in found)
+    assert carried[:3] == pytest.approx(load.force, abs=1e-6)
+    x, y, _ = sum(one.seat.at * one.load[:3] for one in found)
+    about = np.array([place * 3.0, place * 2.0])  # N m, of the load about x and y at z = 0
+    assert carried[3:] + [-y, x] == pytest.approx(about, abs=1e-6)
+
+
 @pytest.mark.parametrize("tilt", [0.0, 58e-6, 120e-6])
 @pytest.mark.parametrize("shift", [10.5e-6, 11e-6, 11.2e-6, 12e-6])
 def test_a_held_ring_that_slides(shift, tilt):

@@ -22,7 +22,7 @@ from raceway.theory.beam import FREEDOMS, Disc, Section, Steel
 from raceway.theory.bearing import Bearing
 from raceway.theory.steel import STEEL
 
-HELP = (1e8, 1e6, 1e4, 0.0)  # N/m, stiffnesses of the soft springs in successive steps
+HELP = (1e8, 1e6, 1e4, 1e2, 0.0)  # N/m, stiffnesses of the soft springs in successive steps
 STEPS = 60  # largest number of Newton iterations per stiffness
 EXACT = 1e-9  # largest residual of the force balance, relative to the loads
 
