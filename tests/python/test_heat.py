@@ -19,6 +19,18 @@ def test_cooling():
     assert heat.cooling(40.0, 80.0, 18.0) == pytest.approx(2.17, abs=0.005)
 
 
+def test_cooling_over_size():
+    """The heat flow density is constant up to an area of 50 000 mm2, and falls above it without a
+    jump (ISO 15312)."""
+    area = np.array([1e4, 5e4, 5e4 + 1e-6, 1e5, 2e5])
+    ring = np.sqrt(area / (0.6 * np.pi))  # mm, mean diameter of a bearing with B = 0.3 d_m
+    cooled = [heat.cooling(0.5 * one, 1.5 * one, 0.3 * one) for one in ring]
+    assert cooled[1] / cooled[0] == pytest.approx(5, rel=1e-12)
+    assert cooled[2] == pytest.approx(cooled[1], rel=1e-9)
+    assert cooled[4] / cooled[3] == pytest.approx(2**0.66, rel=1e-12)
+    assert cooled[3] / cooled[1] == pytest.approx(2**0.66, rel=1e-12)
+
+
 @pytest.mark.parametrize(("name", "made", "carried"), [("6208", 93.7, 108.6), ("6205", 46.6, 58.1),
                                                        ("6306", 72.1, 97.4)])  # fmt: skip
 def test_friction_and_cooling_together(name, made, carried):

@@ -118,6 +118,10 @@ def test_command(capsys):
         found["conductance_W_K"] * (found["temperature_C"] - 20), abs=0.05
     )
     assert found["reference_speed_rpm"] == pytest.approx(18000, rel=0.3)
+    speeds = [f"reference_speed_{name}rpm" for name in ("", "dry_", "catalogue_")]
+    for words in ("--double-row 18mm", "--four-point 35"):  # they are those of one row
+        other = answer(capsys, f"heat --load 500 --rpm 1910 {words}")
+        assert all(found[name] and other[name] is None for name in speeds)
     cold, hot = answer(capsys, "heat --load 500 5000 --rpm 1000")
     assert hot["temperature_C"] > cold["temperature_C"]
     assert len(reply(capsys, "heat --load 500 --rpm 500 1000").splitlines()) == 3

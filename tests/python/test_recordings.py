@@ -15,6 +15,7 @@ from raceway.datasets import make
 from raceway.errors import RunError
 from raceway.recordings import orders
 from raceway.recordings.contents import GRAVITY, POUND
+from raceway.runs.source import Signal
 from raceway.sweeps.points import Point
 from scipy import io
 from scipy.io import wavfile
@@ -163,8 +164,22 @@ def test_separators(tmp_path, bearing, mark, head, names):
     assert found.signal().values == pytest.approx(values, rel=1e-8)
 
 
-def test_decimal_commas_without_one_in_the_last_line(tmp_path, bearing):
-    (tmp_path / "a.csv").write_text("# v. 2\nt;a.u.\n0,0;1,5\n0,5;-2,5\n1;3\n")
+@pytest.mark.parametrize("scale", [1e-120, 1.0, 1e120])
+def test_level_scales_with_the_signal(scale):
+    """A level has the unit of the signal, but its kurtosis has none, however large the values."""
+    noise = np.random.default_rng(1).normal(2.0, 3.0, 100000)
+    noise /= noise.std() / 3.0
+    found = recording.level(Signal(scale * noise, 1e-4, {}))
+    assert found.rms == pytest.approx(3.0 * scale, rel=1e-12, abs=0)
+    assert found.peak == pytest.approx(scale * np.abs(noise - noise.mean()).max(), rel=1e-9, abs=0)
+    assert found.kurtosis == pytest.approx(3.0, abs=0.1)
+
+
+@pytest.mark.parametrize("end", ["", ";"])
+def test_decimal_commas_without_one_in_the_last_line(tmp_path, bearing, end):
+    """A separator at the end of each row is not another cell."""
+    rows = ["0,0;1,5", "0,5;-2,5", "1;3"]
+    (tmp_path / "a.csv").write_text("\n".join(["# v. 2", "t;a.u.", *(row + end for row in rows)]))
     found = recording.Recording(tmp_path / "a.csv", bearing, rpm=1800)
     (one,) = found.channels.values()
     assert one.rate == 2 and one.values.tolist() == [1.5, -2.5, 3]
@@ -367,6 +382,8 @@ def test_harmonics_of_the_mains_are_not_the_shaft(hum):
         ("a.csv", lambda path: path.write_text("t,a\n0,1\n1,2\n5,3\n"), {}, "equal steps"),
         ("a.csv", lambda path: path.write_text("t,a\n0,1\n2,2\n1,3\n3,4\n"), {}, "equal steps"),
         ("a.csv", lambda path: path.write_text("t,a\n0,1\n1,x\n2,3\n"), {}, "not a row of numbers"),
+        ("a.csv", lambda path: path.write_text("a,b\n0,1,2\n1,2,4\n"), {}, "not match length"),
+        ("a.csv", lambda path: path.write_text("a #1,a #2\n0,1\n1,2\n"), {}, "not match length"),
         ("acc_00001.csv", lambda path: path.write_text("1,2\n3,4\n"), {}, "has 2 columns"),
     ],
 )

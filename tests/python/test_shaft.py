@@ -5,6 +5,7 @@ single bearing."""
 import contextlib
 import io
 import json
+import re
 
 import numpy as np
 import pytest
@@ -54,6 +55,21 @@ def test_own_weight():
     assert end[1] == pytest.approx(-want, rel=1e-6)
 
 
+@pytest.mark.parametrize("length", [0.1, 0.1 + 4.9e-10, 0.1 - 4.9e-10, 1 / 3, 2 / 3])
+def test_nodes_are_places_on_the_shaft(capsys, tmp_path, length):
+    sections = [Section(length, 0.04), Section(2 * length, 0.05)]
+    z, pieces = beam.divided(sections, [0.0, 3 * length])
+    again, same = beam.divided(sections, z)
+    assert again.tolist() == z.tolist() and same == pieces and len(pieces) == 2
+    parts = ", ".join(f"{{length: {one.length}, diameter: {one.diameter}}}" for one in sections)
+    seats = ", ".join(f"{{name: 6208, at: {share * length}}}" for share in (0.5, 3))
+    path = tmp_path / "shaft"
+    path.write_text(
+        f"sections: [{parts}]\nbearings: [{seats}]\nloads: [{{at: {length}, force: [9, 0, 0]}}]"
+    )
+    assert answer(capsys, ["shaft", path])["z_m"][-1] == pytest.approx(3 * length, abs=1e-9)
+
+
 def test_rigid_motions_cost_nothing():
     """The energy of a displacement, and of a small rotation about x and y, is zero compared with
     the bending energy."""
@@ -88,6 +104,46 @@ def test_a_floating_bearing_that_carries_nothing(speed):
     alone = static.equilibrium(B6208, axial_load=500.0, clearance=10e-6, **_centrifugal(speed))
     assert one.load == pytest.approx([0, 0, 500, 0, 0], abs=1e-6)
     assert one.state.inner.load == pytest.approx(alone.inner.load, rel=1e-6)
+
+
+@pytest.mark.parametrize("misaligned", [0.0, 1e-3])
+@pytest.mark.parametrize("load", [100.0, 1000.0])
+def test_a_floating_bearing_that_carries_little(load, misaligned):
+    """A floating bearing takes up its clearance and carries the part of the load that balances the
+    moment about the fixed bearing."""
+    offset = (0.0, 0.0, 0.0, misaligned, 0.0)
+    seats = [Seat(0.03, B6208, 10e-6), Seat(0.2, B6208, 20e-6, offset, floating=True)]
+    pushed = [Load(0.05, (load, 0.0, 100.0))]
+    first, second = shaft.rest(Shaft([Section(0.25, 0.05)]), seats, pushed).bearings
+    assert first.load[:3] + second.load[:3] == pytest.approx([load, 0, 100], abs=1e-6)
+    about_y = first.load[4] + second.load[4] + 0.17 * second.load[0]
+    assert second.load[2] == 0 and about_y == pytest.approx(0.02 * load, abs=1e-6)
+
+
+@pytest.mark.parametrize("speed", [0.0, 600.0])
+@pytest.mark.parametrize("place", [0.02, 0.034, 0.21])
+def test_a_light_load(place, speed):
+    """The bearings carry a load of a few newtons that first moves the shaft through their
+    clearances; nothing holds the shaft along its axis except these bearings."""
+    seats = [Seat(0.03, B6208, 10e-6), Seat(0.2, B6208, 30e-6, (0, 0, 0, 0, -5e-4), floating=True)]
+    load = Load(place, (2.0, -3.0, 0.0))
+    found = shaft.rest(Shaft([Section(0.25, 0.05)]), seats, [load], speed=speed).bearings
+    carried = sum(one.load for one in found)
+    assert carried[:3] == pytest.approx(load.force, abs=1e-6)
+    x, y, _ = sum(one.seat.at * one.load[:3] for one in found)
+    about = np.array([place * 3.0, place * 2.0])  # N m, of the load about x and y at z = 0
+    assert carried[3:] + [-y, x] == pytest.approx(about, abs=1e-6)
+
+
+@pytest.mark.parametrize("tilt", [0.0, 58e-6, 120e-6])
+@pytest.mark.parametrize("shift", [10.5e-6, 11e-6, 11.2e-6, 12e-6])
+def test_a_held_ring_that_slides(shift, tilt):
+    """A ring that is held in all directions but z slides to where it has no axial load."""
+    held = dict(x=shift, y=0.0, rx=0.0, ry=tilt)
+    found = static.equilibrium(B6208, held=held, clearance=20e-6)
+    assert found.force[0] < 0 and abs(found.force[2]) < 1e-9
+    mirrored = static.equilibrium(B6208, held=held | {"ry": -tilt}, clearance=20e-6)
+    assert mirrored.shift == pytest.approx(found.shift * [1, 1, -1], rel=1e-6, abs=1e-14)
 
 
 def _centrifugal(speed):
@@ -175,6 +231,26 @@ def test_one_bearing_is_its_statics():
     assert found.bearings[0].place[3:] == pytest.approx(want.tilt, rel=1e-6)
     assert found.place[1, 3] == pytest.approx(want.tilt[0] + tilt, rel=1e-6)
     assert found.bearings[0].state.inner.load == pytest.approx(want.inner.load, abs=1e-3)
+
+
+@pytest.mark.parametrize("density", [3200, 7800])
+def test_density_of_the_balls(capsys, tmp_path, density):
+    """At a high speed, the stiffness depends on the density of the balls in the bearing's file. It
+    is the same from statics, on a shaft and in a table for rotors."""
+    file, beam_of_one, out = (tmp_path / name for name in ("mine", "shaft", "table.json"))
+    text = (ROOT / "inputs/bearings/6208").read_text()
+    file.write_text(re.sub(r"(ball_density +index) \S+", rf"\1 {density}", text))
+    beam_of_one.write_text(
+        "rpm: 12000\nsections: [{length: 0.1, diameter: 0.3}]\n"
+        f"bearings: [{{name: {file}, at: 0.05}}]\nloads: [{{at: 0.05, force: [1000, 0, 0]}}]\n"
+    )
+    point = ["--bearing", file, "--load", "1000", "--rpm", "12000"]
+    alone = answer(capsys, ["static", *point])["stiffness"]
+    (carried,) = answer(capsys, ["shaft", beam_of_one])["bearings"]
+    reply(capsys, ["stiffness", *point, "--phases", "1", "--out", out])
+    (row,) = json.loads(out.read_text())["points"]
+    for found in (carried["stiffness"], row["stiffness"]):
+        assert np.diag(found) == pytest.approx(np.diag(alone), rel=2e-3)
 
 
 def test_preload_by_a_spacer():

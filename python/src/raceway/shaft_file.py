@@ -88,7 +88,14 @@ def read(path: FilePath, folder: FilePath | None = None) -> Case:
         found = catalogue.find("bearings", name, folder)
         inputs.held(found, 0.0, one["clearance"])  # refuses a clearance as all commands do
         names.append(name)
-        seats.append(Seat(bearing=inputs.bearing(found), floating=FLOATING[floating], **one))
+        seats.append(
+            Seat(
+                bearing=inputs.bearing(found),
+                floating=FLOATING[floating],
+                ball_density=inputs.ball_density(found),
+                **one,
+            )
+        )
         ratings.append(inputs.ratings(found))
         angles.append(inputs.four_point_angle(found) or inputs.nominal_angle(found))
     lubricant = whole.get("lubricant")

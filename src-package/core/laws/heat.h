@@ -26,11 +26,13 @@ inline double contact_conductance(double a, double b, double u)
 }
 
 // Returns the conductance (W/K) of the seats and housing of a radial bearing with the given
-// dimensions (m) under the reference conditions of ISO 15312, W_s = q_r pi B (D + d)/50 K, q_r =
-// 0.016 W/mm^2 (from memory, unchecked).
+// dimensions (m) under the reference conditions of ISO 15312, W_s = q_r A_r/50 K with A_r = pi B (D
+// + d). q_r is 0.016 W/mm^2 up to 50 000 mm^2, and decreases with A_r^-0.34 above (from memory,
+// unchecked).
 inline double iso_15312_conductance(double bore, double outside, double width)
 {
-  return 0.016e6 * 3.14159265358979323846 * width * (outside + bore) / 50.0;
+  const double area = 3.14159265358979323846 * width * (outside + bore), large = area / 0.05;
+  return 0.016e6 * area / 50.0 * (large > 1.0 ? std::pow(large, -0.34) : 1.0);
 }
 
 // Returns the change in diametral clearance (m) due to temperature rises (K) of the inner ring, the

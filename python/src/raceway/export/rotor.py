@@ -68,10 +68,11 @@ def points(
     names are accepted for `lubricant`. `four_point` and `double_row` are as in `inputs.bearing`. If
     no lubricant is given, there is no damping. `models` is paper or full, and `temperature` is in
     degrees C. `frequency` is the vibration frequency in rad/s; by default it is the shaft speed, as
-    rotor programs assume for their tables. `axial` is in N; `options` (clearance, held, moment) are
-    passed to `static.equilibrium`. By default, the tilts are held at 0. If the bearing comes from a
-    file and there is no axial load, the ring is also held along z (`inputs.held`). Raises
-    `RacewayError`, or `ValueError` for a number out of range.
+    rotor programs assume for their tables. `axial` is in N; `options` (clearance, held, moment,
+    ball_density) are passed to `static.equilibrium`. By default, the tilts are held at 0. If the
+    bearing comes from a file, so does the density of its balls, and the ring is also held along z
+    if there is no axial load (`inputs.held`). Raises `RacewayError`, or `ValueError` for a number
+    out of range.
     """
     if models not in LAWS:
         raise ValueError(f"models '{models}' is not one of {', '.join(LAWS)}")
@@ -82,6 +83,7 @@ def points(
         free = STRAIGHT if options.get("moment") is None else {}
         held = inputs.held(path, axial, options.get("clearance", 0.0), double_row)
         options["held"] = held | dict(options.get("held", free))
+        options = {"ball_density": inputs.ball_density(path)} | options
     oil = fluid = None
     if lubricant is not None:
         path = catalogue.find("lubricants", lubricant, folder)
@@ -121,8 +123,10 @@ def at_rest(carried: Carried, rpm: ArrayLike, **options: Any) -> list[Point]:
     passed to `points`."""
     x, y, z = carried.load[:3].tolist()
     tilts = dict(zip(FREEDOMS[3:], carried.place[3:].tolist()))
-    place = dict(load_azimuth=math.atan2(y, x), held=tilts, clearance=carried.seat.clearance)
-    return points(carried.seat.bearing, math.hypot(x, y), rpm, axial=z, **place, **options)
+    seat = carried.seat
+    place = dict(load_azimuth=math.atan2(y, x), held=tilts, clearance=seat.clearance)
+    place["ball_density"] = seat.ball_density
+    return points(seat.bearing, math.hypot(x, y), rpm, axial=z, **place, **options)
 
 
 def ross(

@@ -83,7 +83,9 @@ def _femto(path, kind):
 
 
 def _table(path, header, rows=None):
-    with reading(path, "a table"):
+    with reading(path, "a table"), warnings.catch_warnings():
+        # rows with more cells than the heading
+        warnings.simplefilter("error", pd.errors.ParserWarning)
         mark = _separator(path)
         decimal = "," if mark in (";", "\t") and _commas(path) else "."
         table = pd.read_csv(
@@ -91,6 +93,7 @@ def _table(path, header, rows=None):
             sep=mark,
             decimal=decimal,
             header=header,
+            index_col=False,
             comment="#",
             nrows=rows,
             low_memory=False,

@@ -199,6 +199,6 @@ class Level(NamedTuple):
 def level(signal: Signal) -> Level:
     """Return the `Level` of a signal; the kurtosis of a constant signal is NaN."""
     away = signal.values - signal.values.mean()
-    square = float(np.mean(away**2))
-    kurtosis = float(np.mean(away**4)) / square**2 if square else math.nan
-    return Level(math.sqrt(square), float(np.abs(away).max()), kurtosis)
+    rms = float(np.sqrt(np.mean(away**2)))
+    kurtosis = float(np.mean((away / rms) ** 4)) if rms else math.nan
+    return Level(rms, float(np.abs(away).max()), kurtosis)

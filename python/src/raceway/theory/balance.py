@@ -141,8 +141,9 @@ class Balance:
             scale = np.abs(self.loads[free]).max() + here.touch.load.max()
             value, vector = np.linalg.eigh(hessian)
             # the residual may be as large as the rounding error of the distances times the
-            # stiffness
-            if size <= 1e-11 * scale + self.digits * np.abs(value).max():
+            # stiffness of the ring or, if only its softer directions are free, of a contact
+            stiff = max(np.abs(value).max(), here.touch.along.max())
+            if size <= 1e-11 * scale + self.digits * stiff:
                 if value[0] >= -1e-9 * value[-1] or nudged == 5:
                     return place, here
                 # the ring is balanced on one ball, so let it roll to one side

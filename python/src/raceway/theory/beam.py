@@ -90,11 +90,13 @@ def element(section: Section, steel: Steel = STEEL) -> Floats:
 
 def divided(sections: Sequence[Section], places: Sequence[float]) -> tuple[Floats, list[Section]]:
     """Return (z of the nodes in m, elements between them). There are nodes at the ends of the
-    sections and at `places` (m). Raises `ValueError` if one of the `places` is off the shaft."""
-    ends = np.concatenate([[0.0], np.cumsum([one.length for one in sections])])
-    if off := [place for place in places if not 0 <= place <= ends[-1] * (1 + 1e-12)]:
+    sections and at `places` (m), rounded to whole nm. Raises `ValueError` if one of the `places` is
+    off the shaft."""
+    ends = np.round(np.concatenate([[0.0], np.cumsum([one.length for one in sections])]), 9)
+    places = np.round(np.asarray(places, float), 9)
+    if len(off := places[(places < 0) | (places > ends[-1])]):
         raise ValueError(f"{off[0]:g} m is not on the shaft, which reaches from 0 to {ends[-1]:g}")
-    nodes = np.unique(np.round(np.concatenate([ends, places]), 9))
+    nodes = np.unique(np.concatenate([ends, places]))
     middle = (nodes[1:] + nodes[:-1]) / 2
     inside = np.clip(np.searchsorted(ends, middle) - 1, 0, len(sections) - 1)
     return nodes, [

@@ -22,7 +22,7 @@ from raceway.theory.beam import FREEDOMS, Disc, Section, Steel
 from raceway.theory.bearing import Bearing
 from raceway.theory.steel import STEEL
 
-HELP = (1e8, 1e6, 1e4, 0.0)  # N/m, stiffnesses of the soft springs in successive steps
+HELP = (1e8, 1e6, 1e4, 1e2, 0.0)  # N/m, stiffnesses of the soft springs in successive steps
 STEPS = 60  # largest number of Newton iterations per stiffness
 EXACT = 1e-9  # largest residual of the force balance, relative to the loads
 
@@ -41,6 +41,7 @@ class Seat:
     # N, force along z of a soft spring on the outer ring; it slides unless this is 0
     spring: float = 0.0
     phase: float = 0.0  # rad, azimuth of the first ball
+    ball_density: float = STEEL.density  # kg/m^3
 
     @property
     def slides(self) -> bool:
@@ -98,7 +99,6 @@ def rest(
     loads: Sequence[Load],
     *,
     speed: float = 0.0,
-    ball_density: float = STEEL.density,
 ) -> Rest:
     """Find the equilibrium of `shaft` on `seats` under `loads`. If a shaft `speed` in rad/s is
     given, the centrifugal loads of the balls are included.
@@ -127,7 +127,7 @@ def rest(
         given[at : at + FREEDOMS] += [*load.force, *load.moment]
     if not seats or not (np.any(given) or any(one.spring for one in seats)):
         raise NoEquilibrium("a shaft at rest needs bearings and a load")
-    holders = [_Holder(seat, FREEDOMS * node[seat.at], speed, ball_density) for seat in seats]
+    holders = [_Holder(seat, FREEDOMS * node[seat.at], speed) for seat in seats]
     place = np.zeros(len(given))
     for soft in HELP:
         place, left = _newton(stiffness, given, holders, place, soft)
@@ -142,10 +142,10 @@ class _Holder:
     """Forces of a bearing on the shaft. If the bearing slides along z, they include the axial force
     of its spring."""
 
-    def __init__(self, seat, first, speed, density):
+    def __init__(self, seat, first, speed):
         self.seat, self.at = seat, slice(first, first + FREEDOMS)
         gamma = seat.bearing.ball_radius / seat.bearing.pitch_radius
-        self.ball = dict(orbital_speed=speed * (1 - gamma) / 2, ball_density=density)
+        self.ball = dict(orbital_speed=speed * (1 - gamma) / 2, ball_density=seat.ball_density)
 
     def state(self, place):
         relative = place[self.at] - self.seat.offset

@@ -11,7 +11,7 @@ from raceway import catalogue, inputs
 from raceway.files import FilePath
 from raceway.rows import Row, lines, several, warning_lines
 from raceway.theory import cage_drag, heat
-from raceway.theory.bearing import DoubleRow
+from raceway.theory.bearing import DoubleRow, Layout
 from raceway.theory.heat_scene import CirculatingOil, Nodes, Scene, one_node, three_nodes
 from raceway.theory.models import DEFAULT
 from raceway.theory.oil_supply import BATH, Supply
@@ -186,8 +186,12 @@ class Case:
         """Return the result of `figures` from the steady-state results `found`."""
         path, oil = self.files()
         level = 500 * scene.bearing.ball_diameter  # mm, at the middle of the lowest ball
-        known = "reference_speed" in inputs.values(path)
-        boundary, play = inputs.boundary(path), scene.bearing.play(inputs.nominal_angle(path))
+        stated = inputs.four_point_angle(path)
+        as_in_catalogue = self.double_row is None and self.four_point in (None, stated)
+        known = "reference_speed" in inputs.values(path) and as_in_catalogue
+        # the formulas for the friction apply to one row with one groove per ring
+        boundary = inputs.boundary(path) if scene.bearing.layout == Layout() else None
+        play = scene.bearing.play(inputs.nominal_angle(path))
         rest = scene.rest(found["temperature_C"], found["clearance_warm_m"])
         return dict(
             bearing=path.name,
@@ -213,9 +217,7 @@ class Case:
                 rest.films,
                 load=self.load,
                 axial=self.axial,
-                four_point=(
-                    inputs.four_point_angle(path) if self.four_point is None else self.four_point
-                ),
+                four_point=stated if self.four_point is None else self.four_point,
             ),
         )
 
