@@ -51,11 +51,13 @@ def test_parts_add_up(grooves):
 
 @pytest.mark.parametrize("grooves", GROOVES)
 @pytest.mark.parametrize("models", ["paper", "full"])
-def test_plates_are_those_of_statics(models, grooves):
-    same = dict(load=1000.0, rpm=3000.0, clearance=10e-6, temperature=60.0, models=models)
-    same |= grooves | dict(phase=0.2)
+@pytest.mark.parametrize("axial", [0.0, 700.0])
+def test_plates_are_those_of_statics(models, grooves, axial):
+    same = dict(load=1000.0, axial=axial, rpm=3000.0, clearance=10e-6, temperature=60.0)
+    same |= grooves | dict(phase=0.2, models=models)
     found = electric_point.figures(electric_point.solve("6306", "vg68", **same))
-    statics = operating_point.figures("6306", "vg68", **same)
+    held = STRAIGHT if axial else None
+    statics = operating_point.figures("6306", "vg68", held=held, **same)
     for key in ("capacitance_F", "h_c_m", "lambda"):
         assert found[key] == pytest.approx(statics[key], rel=1e-9)
 

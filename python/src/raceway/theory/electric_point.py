@@ -256,7 +256,9 @@ def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
         ),
         metallic_contacts=max(int(sum(side.sum() for side in one)) for one in metallic),
     )
-    result["lambda"] = np.atleast_2d(films.inner.ratio)[:, top].max()
+    result["lambda"] = films.inner.ratio.flat[
+        np.argmax(point.places[point.heaviest].state.inner.load)
+    ]
     result.update(_field(gaps, parts, oil, ask))
     result.update(_impedance(point, every, ask))
     result.update(bearing_voltage_ratio=None, measured_F=ask.measured)
