@@ -247,7 +247,10 @@ def test_full_models(capsys):
     assert full["torque_skf_N_m"] > 0 and full["torque_palmgren_N_m"] > 0
     thrust = figures(capsys, *common, "--axial", "1000")
     assert thrust["torque_skf_N_m"] > full["torque_skf_N_m"]
-    assert thrust["torque_palmgren_N_m"] is None  # the formula is for radial loads
+    assert thrust["torque_palmgren_N_m"] is None
+    assert thrust["absent"] == {"torque_palmgren_N_m": "the formula is for radial loads"}
+    four = figures(capsys, *common, "--bearing", "QJ208")
+    assert set(four["absent"]) == {"torque_skf_N_m", "torque_palmgren_N_m"}
 
 
 def test_temperature_needs_a_lubricant_that_has_it(capsys):

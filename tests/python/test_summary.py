@@ -21,7 +21,8 @@ viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m l
 q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa loaded_balls_mean
 cage_speed_rad_s entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F
 capacitance_total_F wall_s simulated_s real_time_factor processor_s evaluations force_x_N
-force_y_N force_z_N moment_x_N_m moment_y_N_m shift_z_m tilt_x_rad tilt_y_rad rpm_inner rpm_outer
+force_y_N force_z_N moment_x_N_m moment_y_N_m shift_z_m tilt_x_rad tilt_y_rad axial_N rpm_inner
+rpm_outer
 rpm_least rpm_most rpm_top
 friction_torque_N_m power_loss_W losses_W torque_skf_N_m torque_palmgren_N_m asperity_share
 settled_torque settled_load settled_cage_speed settled_spin_axis_rad
@@ -240,6 +241,20 @@ def test_the_measured_force_stands_beside_the_set_load(folder, lubricated):
     text = table(figures)
     assert re.search(r"force of the balls along y +4 kN", text)
     assert "along x" not in text and re.search(r"along z +-100 N", text)
+    assert figures["axial_N"] == 100.0 and re.search(r"axial load +100 N", text)
+
+
+@pytest.mark.parametrize("axial, measured, want", [(300.0, -9.0, 300.0), (0.0, -9.0, 0.0)])
+def test_set_axial_load(folder, lubricated, axial, measured, want):
+    """An axial load that the deck records replaces the measured one, and Palmgren's formula, which
+    is for radial loads, is then absent with the reason."""
+    own = synthetic.changed(lubricated, axial_N=axial)
+    figures = forced(folder, own, lambda k: (0.0, 5000.0, measured))
+    assert figures["axial_N"] == want and ("axial load" in table(figures)) == bool(want)
+    assert (figures["torque_palmgren_N_m"] is None) == bool(want)
+    assert figures["absent"].get("torque_palmgren_N_m") == (
+        "the formula is for radial loads" if want else None
+    )
 
 
 @pytest.mark.parametrize(

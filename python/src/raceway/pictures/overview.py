@@ -67,7 +67,8 @@ def _subtitle(figures):
     parts = (
         ("largest contact load", "q_max_N", "N"),
         ("inner pressure", "p_max_inner_Pa", "Pa"),
-        ("displacement", "ring_shift_m", "m"),
+        ("radial displacement", "ring_shift_m", "m"),
+        *([("axial displacement", "shift_z_m", "m")] if figures["axial_N"] else []),
         ("inner $h_{min}$", "h_min_m", "m"),
         ("Λ", "lambda", ""),
         ("friction torque", "friction_torque_N_m", "N m"),

@@ -22,6 +22,7 @@ TOPICS = {
         row("lubricant"),
         Row("temperature_C", "temperature", "°C", "of the lubricant"),
         row("load_N", "as set, or measured"),
+        Row("axial_N", "axial load", "N", "as set, or measured"),
         Row("rpm", "speed of inner relative to outer", "rpm", "as set, or measured"),
         Row("rpm_inner", "  inner ring", "rpm", "mean"),
         Row("rpm_outer", "  outer ring", "rpm", "mean"),
@@ -62,9 +63,9 @@ TOPICS = {
         row("lambda"),
     ),
     "Capacitance": (
-        row("capacitance_F", "mean, eq 12"),
+        row("capacitance_F", "contact ellipses, eq 12, mean"),
         row("capacitance_top_F"),
-        Row("capacitance_total_F", "including surroundings", "F", "mean"),
+        Row("capacitance_total_F", "bearing", "F", "with surroundings of the ellipses, mean"),
     ),
     "Kinematics": (
         row("cage_speed_rad_s", "mean of (x v_y - y v_x)/r^2"),
@@ -195,6 +196,8 @@ def _nothing(key, figures):
         return abs(value) < SHOWN[key] * max(abs(figures[name] or 0.0) for name in SHOWN)
     if key in STILL:
         return abs(value) < STILL[key]
+    if key == "axial_N":
+        return not value
     if key in ("rpm_least", "rpm_most", "rpm_top"):
         return figures["rpm_most"] - figures["rpm_least"] < STEADY * figures["rpm_most"]
     if key in ("rpm_inner", "rpm_outer"):

@@ -188,7 +188,15 @@ def figures(
         inner = lost.asperity_share[: body.raceways.count(INNER)]
         result.update(
             film_factor=film.factor(result["entrainment_speed_m_s"]),
-            **_makers(body, inputs.boundary(path), load, axial, abs(rpm), fluid.kinematic),
+            **makers.torques(
+                inputs.boundary(path),
+                load,
+                axial,
+                abs(rpm),
+                fluid.kinematic,
+                body.ball_diameter,
+                one_groove=body.layout == Layout(),
+            ),
             friction_torque_N_m=lost.power / abs(spin),
             losses_W=lost.parts,
             asperity_share=inner.flat[np.argmax(state.inner.load)],
@@ -215,6 +223,9 @@ def figures(
     if ahead is not None and (text := excursion.warning(ahead)):
         result["warnings"].append(text)
     result["absent"] = model_names.absent(models, result) if wet else {}
+    for key in makers.KEYS:
+        if isinstance(why := result.get(key), str):
+            result["absent"][key], result[key] = why, None
     if wet and (assumed := inputs.assumed(_lubricant(lubricant, folder), models)):
         result["assumed_data"] = assumed
     result["balls"] = plain(balls(state, films))
@@ -261,16 +272,3 @@ def _complete(fluid, models):
             f"models {models} need {', '.join(missing)} of the lubricant, which its file lacks"
         )
     return fluid
-
-
-def _makers(body, boundary, load, axial, rpm, viscosity):
-    """Return the torque by the makers' formulas, which are valid for one groove per ring and, in
-    the case of Palmgren's, for radial loads, if the file has the required data."""
-    if boundary is None or body.layout != Layout():
-        return dict(torque_skf_N_m=None, torque_palmgren_N_m=None)
-    level = 500 * body.ball_diameter  # mm above the lowest raceway, i.e. at the middle of a ball
-    palmgren = None if axial else 1e-3 * sum(makers.palmgren(boundary, load, rpm, viscosity))
-    return dict(
-        torque_skf_N_m=1e-3 * makers.skf(boundary, load, axial, rpm, viscosity, level=level).total,
-        torque_palmgren_N_m=palmgren,
-    )
