@@ -128,7 +128,7 @@ def test_table(capsys):
     for said in (
         "radial load                               2 kN",
         "tilt about y",
-        "(eq 12)",
+        "(contact ellipses, eq 12)",
         "Balls",
         "lambda in.",
     ):

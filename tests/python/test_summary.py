@@ -332,6 +332,6 @@ def test_table(folder, dry_folder):
         assert re.search(f"^{topic}", text, re.MULTILINE)
     assert re.search(r"radial load +5 kN  \(as set, or measured\)", text)
     assert re.search(r"minimum film thickness +[0-9.]+ nm  \(eq 6\)", text)
-    assert re.search(r"bearing +[0-9.]+ pF  \(mean, eq 12\)", text)
+    assert re.search(r"plates +[0-9.]+ pF  \(contact ellipses, eq 12, mean\)", text)
     text = table(summary(RunTables(dry_folder)))
     assert "Film" not in text and "Capacitance" not in text and "None" not in text

@@ -48,7 +48,7 @@ FIGURES = {
         Row("h_min_m", "minimum film thickness", "m", "eq 6"),
         Row("h_c_m", "central film thickness", "m", "eq 9"),
         Row("lambda", "lambda ratio", "", "eq 7"),
-        Row("capacitance_F", "bearing", "F", "eq 12"),
+        Row("capacitance_F", "plates", "F", "contact ellipses, eq 12"),
         Row("capacitance_top_F", "largest of one ball", "F", "eqs 8, 10-12"),
         Row("cage_speed_rad_s", "cage speed", "rad/s"),
     )

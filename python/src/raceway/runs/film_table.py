@@ -24,7 +24,7 @@ TOPICS = {
         Row("samples", "samples", ""),
     ),
     "Capacitance, mean over the run": (
-        row("capacitance_F", "contact ellipses, eq 12")._replace(label="plates"),
+        row("capacitance_F"),
         Row("capacitance_surroundings_F", "around the ellipses", "F", "loaded balls"),
         Row("capacitance_unloaded_F", "balls without load", "F"),
         Row("capacitance_total_F", "bearing", "F", "sum"),
