@@ -10,6 +10,14 @@ from raceway.sweeps import variable_table
 from raceway.theory import models
 from raceway.units import prefixed
 
+LOSSES = (
+    Row("loss_rolling_W", "hydrodynamic rolling", "W", "Biboulet-Houpert"),
+    Row("loss_slip_W", "differential slip", "W", "Heathcote"),
+    Row("loss_spin_W", "spin", "W"),
+    Row("loss_hysteresis_W", "hysteresis", "W"),
+    Row("loss_drag_W", "drag of the balls", "W"),
+    Row("loss_cage_W", "cage", "W", "oil in its pockets, churning, friction"),
+)
 TOPICS = {
     "Operating point": (
         row("bearing"),
@@ -92,12 +100,7 @@ TOPICS = {
         Row("friction_torque_N_m", "of the inner ring", "N m", "power over speed"),
         Row("torque_skf_N_m", "SKF, oil to the middle of a ball", "N m", "10000 EN 2013"),
         Row("torque_palmgren_N_m", "Palmgren, oil bath", "N m"),
-        Row("loss_rolling_W", "hydrodynamic rolling", "W", "Biboulet-Houpert"),
-        Row("loss_slip_W", "differential slip", "W", "Heathcote"),
-        Row("loss_spin_W", "spin", "W"),
-        Row("loss_hysteresis_W", "hysteresis", "W"),
-        Row("loss_drag_W", "drag of the balls", "W"),
-        Row("loss_cage_W", "cage", "W", "oil in its pockets, churning, friction"),
+        *LOSSES,
         Row("gyroscopic_friction", "friction coefficient needed", "", "against gyroscopic sliding"),
     ),
     "Capacitance": (row("capacitance_F"), row("capacitance_top_F")),

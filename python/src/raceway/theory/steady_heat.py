@@ -9,12 +9,13 @@ from typing import Any
 
 from raceway import catalogue, inputs
 from raceway.files import FilePath
-from raceway.rows import Row, lines, several, warning_lines
+from raceway.rows import Row, lines, row, several, warning_lines
 from raceway.theory import cage_drag, heat
 from raceway.theory.bearing import DoubleRow
 from raceway.theory.heat_scene import CirculatingOil, Nodes, Scene, one_node, three_nodes
 from raceway.theory.models import DEFAULT
 from raceway.theory.oil_supply import BATH, Supply
+from raceway.theory.operating_table import LOSSES
 from raceway.theory.static import STRAIGHT
 from raceway.theory.validity import of_statics
 
@@ -22,11 +23,11 @@ from raceway.theory.validity import of_statics
 OF_NODES = ("sides", "cage", "contacts", "drag", "flow")
 TOPICS = {
     "Operating point": (
-        Row("bearing", "bearing", None),
-        Row("lubricant", "lubricant", None),
-        Row("load_N", "radial load", "N"),
-        Row("axial_N", "axial load", "N"),
-        Row("rpm", "inner ring speed", "rpm"),
+        row("bearing"),
+        row("lubricant"),
+        row("load_N", "along x"),
+        Row("axial_N", "axial load", "N", "along z"),
+        row("rpm"),
         Row("clearance_m", "diametral clearance, cold", "m"),
         Row("ambient_C", "ambient temperature", "°C"),
         Row("conductance_W_K", "cooling", "W/K", "ISO 15312 unless given"),
@@ -47,10 +48,10 @@ TOPICS = {
         Row("temperature_outlet_C", "oil at the outlet", "°C"),
         Row("oil_carried_W", "carried away by the oil", "W"),
         Row("clearance_warm_m", "diametral clearance, warm", "m"),
-        Row("viscosity_Pa_s", "viscosity", "Pa s"),
-        Row("h_min_m", "minimum film thickness", "m", "largest inner load"),
-        Row("h_c_m", "central film thickness", "m", "the same"),
-        Row("lambda", "lambda", "", "the same"),
+        row("viscosity_Pa_s"),
+        row("h_min_m", "largest inner load"),
+        row("h_c_m", "largest inner load"),
+        row("lambda", "largest inner load"),
         Row("friction_torque_N_m", "friction torque", "N m"),
         Row("power_loss_W", "power loss", "W"),
     ),
@@ -59,6 +60,7 @@ TOPICS = {
         Row("reference_speed_dry_rpm", "without drag", "rpm"),
         Row("reference_speed_catalogue_rpm", "of the catalogue", "rpm"),
     ),
+    "Losses": LOSSES,
 }
 COLUMNS = (  # columns of the table for several points: key, heading, scale
     ("load_N", "load N", 1),
@@ -232,13 +234,11 @@ def figures(*names: Any, **point: Any) -> dict[str, Any]:
 
 def table(result: Mapping[str, Any]) -> str:
     """Format the result of `figures` as text."""
-    rows = (row for topic in TOPICS.values() for row in topic)
-    shown = {**dict.fromkeys(row.key for row in rows), **result}
+    shown = {**dict.fromkeys(one.key for topic in TOPICS.values() for one in topic), **result}
+    shown.update({f"loss_{part}_W": loss for part, loss in result["losses_W"].items()})
     for key in ("reference_speed_rpm", "reference_speed_dry_rpm"):
         shown[key] = shown[key] and round(shown[key])
-    parts = "\n".join(f"  {name:<32}{power:>12.4g} W" for name, power in result["losses_W"].items())
-    text = [*lines(shown, TOPICS), "", "Losses", parts, *warning_lines(result["warnings"])]
-    return "\n".join(text)
+    return "\n".join([*lines(shown, TOPICS), *warning_lines(result["warnings"])])
 
 
 def curves(results: list[dict[str, Any]]) -> str:
