@@ -138,6 +138,13 @@ def test_table(capsys):
     assert len(balls) == 10 and len({len(line) for line in balls}) == 1
 
 
+def test_the_moment_on_a_held_tilt_stands_once(capsys):
+    """It is that of the restraint if the tilt is held, and the load otherwise."""
+    for words in ([], ["--moment", "3", "0"], ["--tilt", "1e-4", "0"]):
+        text = reply(capsys, ["static", "--load", "1000", "--axial", "300", *words])
+        assert text.count("moment about x") == text.count("moment about y") == 1
+
+
 def test_dry_lubricant_has_no_film(capsys):
     assert "h_min_m" not in figures(capsys, "--load", "100", "--lubricant", "dry")
 

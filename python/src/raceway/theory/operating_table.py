@@ -158,6 +158,9 @@ def table(result: Mapping[str, Any]) -> str:
     filled.update({f"loss_{part}_W": loss for part, loss in (result["losses_W"] or {}).items()})
     for key in ("angle_max_rad", "four_point_rad"):
         filled[key] = None if filled[key] is None else math.degrees(filled[key])
+    for axis in "xy":  # the moment on a tilt that is held is the one that holds it
+        if filled[f"support_r{axis}_N_m"] is not None:
+            filled[f"moment_{axis}_N_m"] = None
     if not filled["rpm"]:
         filled.update(orbital_speed_rad_s=None, centrifugal_N=None)
     if filled["ball_axial_rad_s"] is not None:
