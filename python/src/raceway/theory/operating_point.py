@@ -19,7 +19,6 @@ from raceway.files import FilePath
 from raceway.theory import (
     cage_drag,
     contact_friction,
-    excursion,
     life,
     makers,
     operating_life,
@@ -181,10 +180,9 @@ def figures(
     if films is not None:
         result.update(_films(oil, films, state))
         result.update(operating_ring.damping(body, state, films, oil, models, clearance))
-    lost = ahead = doubts = None
+    lost = doubts = None
     if friction is not None:
         lost = found.losses()
-        ahead = lost.advance
         inner = lost.asperity_share[: body.raceways.count(INNER)]
         result.update(
             film_factor=film.factor(result["entrainment_speed_m_s"]),
@@ -201,10 +199,7 @@ def figures(
             losses_W=lost.parts,
             asperity_share=inner.flat[np.argmax(state.inner.load)],
         )
-    if ahead is None and body.layout == Layout():
-        ahead = excursion.excursion(
-            body, found.rolling, spin, lost and lost.friction, cage and cage.play or None
-        )
+    ahead = operating_warnings.advance(found, lost, cage)
     if lost is not None:
         doubts = operating_warnings.of_friction(found, lost.friction, ahead)
         needed = doubts.gyroscopic
@@ -220,8 +215,7 @@ def figures(
         result["warnings"] += doubts.warnings
         low, high = (end * result["friction_torque_N_m"] for end in doubts.ends)
         result["ranges"] = {"friction_torque_N_m": dict(low=low, high=high)}
-    if ahead is not None and (text := excursion.warning(ahead)):
-        result["warnings"].append(text)
+    result["warnings"] += operating_warnings.restrained(ahead)
     result["absent"] = model_names.absent(models, result) if wet else {}
     for key in makers.KEYS:
         if isinstance(why := result.get(key), str):

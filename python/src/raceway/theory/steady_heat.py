@@ -10,7 +10,7 @@ from typing import Any
 from raceway import catalogue, inputs
 from raceway.files import FilePath
 from raceway.rows import Row, lines, row, several, warning_lines
-from raceway.theory import cage_drag, heat
+from raceway.theory import cage_drag, heat, operating_warnings
 from raceway.theory.bearing import DoubleRow
 from raceway.theory.heat_scene import CirculatingOil, Nodes, Scene, one_node, three_nodes
 from raceway.theory.models import DEFAULT
@@ -60,7 +60,6 @@ TOPICS = {
         Row("reference_speed_dry_rpm", "without drag", "rpm"),
         Row("reference_speed_catalogue_rpm", "of the catalogue", "rpm"),
     ),
-    "Losses": LOSSES,
 }
 COLUMNS = (  # columns of the table for several points: key, heading, scale
     ("load_N", "load N", 1),
@@ -229,16 +228,28 @@ def figures(*names: Any, **point: Any) -> dict[str, Any]:
     case.files()
     case.cooling()
     scene = case.scene()
-    return case.report(scene, case.steady(scene))
+    steady = case.steady(scene)
+    result = case.report(scene, steady)
+    # with a ball on the load line, as in `raceway static`
+    run = scene.rest(steady["temperature_C"], steady["clearance_warm_m"])
+    lost = run.losses()
+    ahead = operating_warnings.advance(run, lost, case.cage)
+    doubts = operating_warnings.of_friction(run, lost.friction, ahead)
+    result["warnings"] += doubts.warnings + operating_warnings.restrained(ahead)
+    return result
 
 
 def table(result: Mapping[str, Any]) -> str:
     """Format the result of `figures` as text."""
-    shown = {**dict.fromkeys(one.key for topic in TOPICS.values() for one in topic), **result}
-    shown.update({f"loss_{part}_W": loss for part, loss in result["losses_W"].items()})
+    losses = {f"loss_{part}_W": loss for part, loss in result["losses_W"].items()}
+    parts = LOSSES
+    if result.get("runs"):  # in a run, slip is the loss by all tangential forces
+        parts = tuple(Row(f"loss_{part}_W", part, "W") for part in result["losses_W"])
+    topics = TOPICS | {"Losses": parts}
+    shown = dict.fromkeys(one.key for topic in topics.values() for one in topic) | result | losses
     for key in ("reference_speed_rpm", "reference_speed_dry_rpm"):
         shown[key] = shown[key] and round(shown[key])
-    return "\n".join([*lines(shown, TOPICS), *warning_lines(result["warnings"])])
+    return "\n".join([*lines(shown, topics), *warning_lines(result["warnings"])])
 
 
 def curves(results: list[dict[str, Any]]) -> str:
