@@ -62,6 +62,15 @@ def test_plates_are_those_of_statics(models, grooves, axial):
         assert found[key] == pytest.approx(statics[key], rel=1e-9)
 
 
+def test_a_preload_replaces_a_load(capsys):
+    """Balls that a negative clearance loads equally have equal films."""
+    found = answer(capsys, "electric --rpm 1500 --clearance -10e-6")
+    statics = answer(capsys, "static --rpm 1500 --clearance -10e-6 --lubricant vg46")
+    for key in ("capacitance_F", "h_c_m", "lambda"):
+        assert found[key] == pytest.approx(statics[key], rel=1e-9)
+    assert np.ptp([ball["q_inner_N"] for ball in found["balls"]]) < 1e-6
+
+
 def test_two_rows_are_two_bearings_that_share_the_load():
     deep = dict(rpm=1500.0, models="paper")
     one = electric_point.solve("6208", "vg46", load=1500.0, **deep)
@@ -220,7 +229,7 @@ POINT = ["--load", "1000", "--rpm", "900"]
     ("arguments", "code", "message"),
     [
         (["--load", "1000"], 2, "give --rpm"),
-        (["--rpm", "900"], 2, "a load is needed"),
+        (["--rpm", "900"], 2, "a load or a preload is needed"),
         ([*POINT, "--c-wr", "1e-11"], 2, "--c-wr and --c-rf must be given together"),
         ([*POINT, "--kind", "bode"], 2, "--kind and --out must be given together"),
         ([*POINT, "--kind", "parts", "--out", "x.png"], 2, "several values of one quantity"),

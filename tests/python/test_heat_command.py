@@ -63,6 +63,7 @@ def test_three_nodes_balance_and_tend_to_one():
         "--load 1000 --axial 1000 --bearing QJ208 --rpm 3000",
         "--axial 1000 --bearing 7208 --rpm 3000",
         "--load 1500 --axial 1000 --rpm 3000 --clearance 30e-6",
+        "--rpm 1500 --clearance -10e-6",
         "--load 1000 --bearing 7208 --double-row 18e-3 --preload 5e-6 --rpm 1500",
     ],
 )
@@ -160,7 +161,7 @@ def test_command(capsys):
             1,
             "no steady temperature up to 200 C",
         ),
-        (["--rpm", "100"], 2, "a load is needed"),
+        (["--rpm", "100"], 2, "a load or a preload is needed"),
         (["--load", "1", "--rpm", "0"], 2, "must lie from 1 to 100000 rpm"),
         (["--rpm", "9", "--nodes", "1", "1", "1", "--conductance", "1"], 2, "not allowed with"),
     ],

@@ -13,8 +13,9 @@ HELP = "compute stiffness and damping for loads and speeds, for ROSS and other p
 DESCRIPTION = """\
 Computes stiffness and damping of the inner ring of a bearing from statics and films: 5 x 5 matrices
 in x, y, z, rx, ry, averaged over a ball pass, together with their smallest and largest values. The
-table has one row for each radial load and speed. Damping includes only the contributions of films
-and steel, and requires a lubricant.
+table has one row for each radial load and speed. The ring is in equilibrium untilted and, without
+an axial load, held along z, as in `raceway static`. Damping includes only the contributions of
+films and steel, and requires a lubricant.
 
 --out writes the results in a format that depends on the file name extension:
   .csv   a table with the units in its first line

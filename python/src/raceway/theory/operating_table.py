@@ -50,7 +50,7 @@ TOPICS = {
         row("tilt_x_rad", "Harris ch. 7"),
         row("tilt_y_rad", "Harris ch. 7"),
         row("load_parameter"),
-        Row("stiffness_x_N_m", "stiffness along x", "N/m", "d(load)/d(displacement)"),
+        Row("stiffness_x_N_m", "stiffness along x", "N/m", "the others held"),
         Row("stiffness_z_N_m", "stiffness along z", "N/m", "the others held"),
         Row("stiffness_ry_N_m_rad", "tilting stiffness about y", "N m/rad", "the others held"),
     ),
