@@ -5,6 +5,7 @@ statics, films inferred from measured values, pictures, messages and exit codes.
 import csv
 import json
 import math
+import re
 
 import numpy as np
 import pytest
@@ -60,6 +61,17 @@ def test_plates_are_those_of_statics(models, grooves, axial):
     statics = operating_point.figures("6306", "vg68", held=held, **same)
     for key in ("capacitance_F", "h_c_m", "lambda"):
         assert found[key] == pytest.approx(statics[key], rel=1e-9)
+
+
+def test_grooves_are_shown(capsys):
+    words = "--bearing 7208 --load 1000 --rpm 900 --double-row 18e-3 --preload 5e-6"
+    for command in (f"electric {words}", f"heat {words}", f"static {words}"):
+        text = reply(capsys, command)
+        assert re.search(r"distance of the rows +18 mm\n +preload of each row +5 µm\n", text)
+        assert "back_to_back" in text
+    for command in ("electric", "heat", "static"):
+        text = reply(capsys, f"{command} --bearing QJ208 --load 1000 --rpm 900")
+        assert re.search(r"four-point contact angle +35 °  \(of centred balls\)", text)
 
 
 def test_a_preload_replaces_a_load(capsys):

@@ -74,6 +74,8 @@ def test_the_same_as_statics_at_that_temperature(capsys, words):
     hot = answer(capsys, f"heat {words}")
     statics = answer(capsys, f"static {words} --temperature {hot['temperature_C']!r}")
     assert hot["warnings"] == statics["warnings"]
+    bearing = ("four_point_rad", "row_spacing_m", "row_preload_m", "arrangement", "clearance_m")
+    assert [hot.get(key) for key in bearing] == [statics.get(key) for key in bearing]
     for key in ("h_min_m", "h_c_m", "lambda", "viscosity_Pa_s"):
         assert hot[key] == pytest.approx(statics[key], rel=1e-6)
     assert hot["friction_torque_N_m"] == pytest.approx(statics["friction_torque_N_m"], rel=0.03)

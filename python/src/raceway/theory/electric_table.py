@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from raceway.rows import Row, aligned, lines, row, several, warning_lines
+from raceway.rows import GROOVES, Row, aligned, lines, row, several, warning_lines
 from raceway.units import prefixed
 
 TOPICS = {
@@ -18,6 +18,7 @@ TOPICS = {
         row("load_N"),
         Row("axial_N", "axial load", "N"),
         row("clearance_m"),
+        *GROOVES,
         row("rpm"),
         row("h_c_m", "largest inner load"),
         row("lambda", "largest inner load"),
@@ -72,7 +73,9 @@ COLUMNS = (  # columns of `curves`: key, heading, factor
 def table(result: Mapping[str, Any]) -> str:
     """Format the result of `figures` as text, with one block per topic and then one row per
     ball."""
-    shown = dict(result, hertz_area_m2=f"{1e6 * result['hertz_area_m2']:.4g} mm²")
+    shown = dict.fromkeys(one.key for one in GROOVES) | dict(
+        result, hertz_area_m2=f"{1e6 * result['hertz_area_m2']:.4g} mm²"
+    )
     for key in ("threshold_azimuth_deg", "phase_deg"):
         shown[key] = shown[key] and round(shown[key], 2) + 0.0
     rows = [["ball", "azimuth, °", "Q inner", "C inner", "C outer", "C", "h inner", "threshold"]]

@@ -28,7 +28,7 @@ from raceway.theory import (
     validity,
 )
 from raceway.theory import models as model_names
-from raceway.theory.bearing import INNER, DoubleRow, Layout
+from raceway.theory.bearing import INNER, DoubleRow, Layout, grooves
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.oil_supply import BATH, Supply
 from raceway.theory.operating_balls import balls
@@ -138,8 +138,8 @@ def figures(
         moment_y_N_m=moment[1],
         clearance_m=clearance + body.play(nominal),
         rpm=rpm,
-        four_point_rad=four_point,
         orbital_speed_rad_s=orbit,
+        **grooves(four_point, double_row),
         exact_circle=exact_circle,
         centrifugal_N=4
         / 3
@@ -151,8 +151,6 @@ def figures(
     )
     if found.motion is not None:
         result.update(zip(ROTATION, found.motion.rotation))
-    if double_row is not None:
-        result.update(zip(("row_spacing_m", "row_preload_m", "arrangement"), double_row))
     result.update(
         operating_ring.displacement(state, load, axial, moment, held, clearance, body.pitch_radius)
     )

@@ -5,7 +5,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from raceway.rows import Row, aligned, lines, row, several, warning_lines
+from raceway.rows import GROOVES, Row, aligned, lines, row, several, warning_lines
 from raceway.sweeps import variable_table
 from raceway.theory import models
 from raceway.units import prefixed
@@ -29,10 +29,7 @@ TOPICS = {
         Row("moment_x_N_m", "moment about x", "N m"),
         Row("moment_y_N_m", "moment about y", "N m"),
         row("clearance_m"),
-        Row("four_point_rad", "four-point contact angle", "°", "of centred balls"),
-        Row("row_spacing_m", "distance of the rows", "m"),
-        Row("row_preload_m", "preload of each row", "m"),
-        Row("arrangement", "arrangement of the rows", None),
+        *GROOVES,
         row("rpm"),
         Row("orbital_speed_rad_s", "cage speed", "rad/s", "rolling, Harris ch. 10"),
         Row("sliding_orbit_rad_s", "cage speed", "rad/s", "balance of the balls with friction"),
@@ -67,7 +64,7 @@ TOPICS = {
         row("q_outer_max_N"),
         row("p_max_inner_Pa"),
         row("p_max_outer_Pa"),
-        Row("angle_max_rad", "largest contact angle", "°", "of balls above 1 % of that load"),
+        Row("angle_max_rad", "largest contact angle", "deg", "of balls above 1 % of that load"),
     ),
     "Rating life": (
         Row("static_safety", "static safety", "", "(4.2 GPa/p)^3, ISO 76"),
@@ -156,8 +153,6 @@ def table(result: Mapping[str, Any]) -> str:
     filled = {row.key: result.get(row.key) for rows in TOPICS.values() for row in rows}
     filled.update({key: why for key, why in result["absent"].items() if key in models.HEADLINES})
     filled.update({f"loss_{part}_W": loss for part, loss in (result["losses_W"] or {}).items()})
-    for key in ("angle_max_rad", "four_point_rad"):
-        filled[key] = None if filled[key] is None else math.degrees(filled[key])
     for axis in "xy":  # the moment on a tilt that is held is the one that holds it
         if filled[f"support_r{axis}_N_m"] is not None:
             filled[f"moment_{axis}_N_m"] = None

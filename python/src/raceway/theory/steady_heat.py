@@ -9,9 +9,9 @@ from typing import Any
 
 from raceway import catalogue, inputs
 from raceway.files import FilePath
-from raceway.rows import Row, lines, row, several, warning_lines
+from raceway.rows import GROOVES, Row, lines, row, several, warning_lines
 from raceway.theory import cage_drag, heat, operating_warnings
-from raceway.theory.bearing import DoubleRow
+from raceway.theory.bearing import DoubleRow, grooves
 from raceway.theory.heat_scene import CirculatingOil, Nodes, Scene, one_node, three_nodes
 from raceway.theory.models import DEFAULT
 from raceway.theory.oil_supply import BATH, Supply
@@ -29,6 +29,7 @@ TOPICS = {
         Row("axial_N", "axial load", "N", "along z"),
         row("rpm"),
         Row("clearance_m", "diametral clearance, cold", "m"),
+        *GROOVES,
         Row("ambient_C", "ambient temperature", "°C"),
         Row("conductance_W_K", "cooling", "W/K", "ISO 15312 unless given"),
         Row("oil_flow_m3_s", "oil flow", "m³/s"),
@@ -190,6 +191,7 @@ class Case:
         known = "reference_speed" in inputs.values(path)
         boundary, play = inputs.boundary(path), scene.bearing.play(inputs.nominal_angle(path))
         rest = scene.rest(found["temperature_C"], found["clearance_warm_m"])
+        arch = inputs.four_point_angle(path) if self.four_point is None else self.four_point
         return dict(
             bearing=path.name,
             lubricant=oil.name,
@@ -197,6 +199,7 @@ class Case:
             axial_N=self.axial,
             rpm=self.rpm,
             clearance_m=self.clearance + play,
+            **grooves(arch, self.double_row),
             ambient_C=self.ambient,
             conductance_W_K=self.cooling(),
             **_settings(scene.oil_flow),
@@ -214,9 +217,7 @@ class Case:
                 rest.films,
                 load=self.load,
                 axial=self.axial,
-                four_point=(
-                    inputs.four_point_angle(path) if self.four_point is None else self.four_point
-                ),
+                four_point=arch,
             ),
         )
 
