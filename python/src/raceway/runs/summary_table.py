@@ -42,7 +42,7 @@ TOPICS = {
         Row("force_y_N", "force of the balls along y", "N", "mean"),
         Row("force_z_N", "force of the balls along z", "N", "mean"),
         Row("ring_shift_m", "radial displacement", "m", "mean along the load, fig A.1"),
-        row("shift_z_m", "mean"),
+        row("shift_z_m", "mean, relative to the start"),
         row("tilt_x_rad", "mean"),
         row("tilt_y_rad", "mean"),
         row("load_parameter"),
