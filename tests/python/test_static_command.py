@@ -145,6 +145,17 @@ def test_the_moment_on_a_held_tilt_stands_once(capsys):
         assert text.count("moment about x") == text.count("moment about y") == 1
 
 
+def test_files_are_shown_by_their_names(capsys, tmp_path):
+    own = {}
+    for kind, name in (("bearing", "6208"), ("lubricant", "vg46")):
+        own[kind] = tmp_path / f"my{name}"
+        own[kind].write_text((ROOT / f"inputs/{kind}s" / name).read_text())
+    words = [word for kind, path in own.items() for word in (f"--{kind}", path)]
+    for command in ("static", "electric", "heat"):
+        found = answer(capsys, [command, "--load", "1000", "--rpm", "900", *words])
+        assert (found["bearing"], found["lubricant"]) == ("my6208", "myvg46")
+
+
 def test_dry_lubricant_has_no_film(capsys):
     assert "h_min_m" not in figures(capsys, "--load", "100", "--lubricant", "dry")
 

@@ -234,6 +234,14 @@ def forced(folder, data, force):
     return summary(RunTables(synthetic.write(folder, dict(data, rings=rings))))
 
 
+def test_files_are_shown_by_their_names(folder, lubricated):
+    own = synthetic.changed(lubricated, bearing="some/where/mine", lubricant="/any/oil")
+    figures = summary(RunTables(synthetic.write(folder, own)))
+    assert figures["bearing"] == "some/where/mine"
+    text = table(figures)
+    assert re.search(r"bearing +mine\n +lubricant +oil\n", text) and "where" not in text
+
+
 def test_the_measured_force_stands_beside_the_set_load(folder, lubricated):
     figures = forced(folder, lubricated, lambda k: (30.0, 4000.0 + k % 2, -100.0))
     assert figures["force_x_N"] == 30.0 and figures["force_z_N"] == -100.0

@@ -2,6 +2,7 @@
 """The summary of a run as text: its rows by topic, and what is too small to be shown."""
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 from raceway.rows import Row, lines, row, warning_lines
@@ -181,6 +182,7 @@ def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
         **dict.fromkeys(row.key for row in warming.ROWS),
         **result,
         **{key: why for key, why in figures["absent"].items() if key in models.HEADLINES},
+        **{key: figures[key] and Path(figures[key]).name for key in ("bearing", "lubricant")},
         **{f"loss_{part}_W": loss or None for part, loss in losses.items()},
         **{f"flaw_{name}": flaws.get(name) for name in NAME.values()},
         "flaw_ball": "; ".join(f"{at}: {w}" for at, w in flaws.items() if at.startswith("ball"))

@@ -126,7 +126,7 @@ def figures(
     orbit = float(np.mean(found.orbit))  # averaged over all rows
     result = dict(
         bearing=path.name,
-        lubricant=None if oil is None else str(lubricant),
+        lubricant=None if oil is None else _lubricant(lubricant, folder).name,
         temperature_C=None if oil is None or math.isnan(fluid.temperature) else fluid.temperature,
         models=models,
         friction_torque_N_m=None,
