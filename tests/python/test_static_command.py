@@ -267,6 +267,9 @@ def test_full_models(capsys):
     assert thrust["torque_skf_N_m"] > full["torque_skf_N_m"]
     assert thrust["torque_palmgren_N_m"] is None
     assert thrust["absent"] == {"torque_palmgren_N_m": "the formula is for radial loads"}
+    held = figures(capsys, *common, "--bearing", "7208B")  # its balls push it along its axis
+    assert held["axial_N"] == 0 < held["support_z_N"] and held["torque_palmgren_N_m"] is None
+    assert held["torque_skf_N_m"] > 0
     four = figures(capsys, *common, "--bearing", "QJ208")
     assert set(four["absent"]) == {"torque_skf_N_m", "torque_palmgren_N_m"}
 

@@ -9,7 +9,7 @@ import numpy as np
 from raceway import catalogue, inputs
 from raceway.arrays import mean
 from raceway.runs.columns import LOSSES
-from raceway.runs.measured import axial_load, loading
+from raceway.runs.measured import loading
 from raceway.runs.tables import RunTables
 from raceway.theory import makers
 
@@ -49,8 +49,8 @@ def friction(tables: RunTables) -> dict[str, Any]:
 def _makers(tables):
     """Return the `makers.torques` at the measured forces."""
     settings = tables.settings
-    load, axial = loading(tables), axial_load(tables)
-    if not tables.lubricated or load is None or axial is None:
+    load = loading(tables)
+    if not tables.lubricated or load is None or "fz" not in tables.ring_columns:
         return {}
     try:
         boundary = inputs.boundary(catalogue.find("bearings", settings["bearing"]))
@@ -63,7 +63,7 @@ def _makers(tables):
     return makers.torques(
         boundary,
         load.radial,
-        axial,
+        load.axial,
         abs(settings["rpm"]),
         nu,
         settings["ball_diameter_m"],

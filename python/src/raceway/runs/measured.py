@@ -15,9 +15,8 @@ from raceway.theory import clearance
 from raceway.theory.bearing import INNER, OUTER
 from raceway.units import prefixed
 
-RIPPLE = 0.01  # fraction of the radial load below which an axial force is only ripple
 FEW = 0.05  # fraction of the radial load or displacement above which the load is not purely radial
-LITTLE = 0.01  # fraction of a load below which values are omitted from the title
+LITTLE = 0.01  # fraction of a load below which another one is only ripple
 TURNED = 0.1  # rad; a load whose direction varies by more than this does not count as steady
 
 
@@ -114,7 +113,7 @@ def axial_load(tables: RunTables) -> float | None:
     load = loading(tables)
     if load is None or "fz" not in _window(tables):
         return None
-    return load.axial if abs(load.axial) > RIPPLE * load.radial else 0.0
+    return load.axial if abs(load.axial) > LITTLE * load.radial else 0.0
 
 
 def load_parameter(tables: RunTables, displacement: float) -> float | str | None:

@@ -75,6 +75,7 @@ class Boundary:
         return K_Z_ANGULAR if self.series in ANGULAR else K_Z
 
 
+FEW = 0.01  # fraction of the radial force below which `torques` neglects an axial force
 # keys of the results of `torques`
 KEYS = ("torque_skf_N_m", "torque_palmgren_N_m")
 
@@ -195,8 +196,10 @@ def torques(
     one_groove: bool = True,
 ) -> dict[str, float | str]:
     """Return the torques (N m) in an oil bath up to the middle of the lowest ball with the keys
-    `KEYS`, or the reason why a formula does not apply. `ball_diameter` is in m; the other arguments
-    are as in `skf`. `one_groove` is False if a ring has several grooves.
+    `KEYS`, or the reason why a formula does not apply. `radial` and `axial` are the forces of the
+    balls on a ring; an axial force that is small beside the radial one is neglected.
+    `ball_diameter` is in m; the other arguments are as in `skf`. `one_groove` is False if a ring
+    has several grooves.
 
     >>> list(torques(None, 1000.0, 0.0, 1500.0, 46.0, 12.6e-3).values())
     ["the bearing's file does not state its series", "the bearing's file does not state its series"]
@@ -206,6 +209,7 @@ def torques(
     if bearing is None:
         return dict.fromkeys(KEYS, "the bearing's file does not state its series")
     level = 500 * ball_diameter  # mm above the lowest raceway
+    axial = axial if abs(axial) > FEW * radial else 0.0
     whole = skf(bearing, radial, axial, speed, kinematic, level=level).total
     palmgrens: float | str = "the formula is for radial loads"
     if not axial:

@@ -186,8 +186,8 @@ def figures(
             film_factor=film.factor(result["entrainment_speed_m_s"]),
             **makers.torques(
                 inputs.boundary(path),
-                load,
-                axial,
+                math.hypot(*state.force[:2]),
+                -state.force[2],
                 abs(rpm),
                 fluid.kinematic,
                 body.ball_diameter,
