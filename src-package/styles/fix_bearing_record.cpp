@@ -5,10 +5,12 @@
 #include "contact_context.h"
 #include "deck_notes.h"
 #include "find_record_layout.h"
+#include "fix_bearing_cage.h"
 #include "fix_bearing_heat.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
 #include "record_settings.h"
+#include "ring_values.h"
 
 #include <algorithm>
 #include <cctype>
@@ -202,6 +204,8 @@ void FixBearingRecord::setup(int)
   step_length_ = update->dt;
   if (!open_) open();
   if (within_ > 1 && sampled_) find_integrators();
+  cages_ = bearing::fixes_of<FixBearingCage>(lmp);
+  bearing::note_setup(lmp);
   start_clocks();
   if (file_) refuse(file_->file().put_fixed(file_->finished(), 0.0));
   if (update->ntimestep % nevery == 0) sample(false);

@@ -96,6 +96,7 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   double a_pass_ = 0.0;                                    // number of samples per ball pass, or 0
   bool allowed_ = false;                                   // true if the folder may be overwritten
   std::vector<class FixBearingImplicit *> integrators_;    // sources of the instants within steps
+  std::vector<class FixBearingCage *> cages_;              // of this run
   std::vector<class FixBearingHeat *> heats_;    // one per bearing or null; empty if all are null
   // If there are heats, the header contains the oil with which the record began: the viscosity and
   // the pressure-viscosity coefficient for each bearing, and the commands of the pair style.

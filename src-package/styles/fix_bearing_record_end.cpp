@@ -22,8 +22,6 @@ void FixBearingRecord::start_clocks()
 }
 
 // Measures the time from the first sample until the operating system has received the last sample.
-// It excludes flushing the files to disk, which takes about as long for a long record as for a
-// short one.
 void FixBearingRecord::stop_clocks()
 {
   flush();
@@ -39,12 +37,7 @@ void FixBearingRecord::post_run()
   left_ = static_cast<double>(update->ntimestep);
   if (comm->me != 0) return;
   const bool done = update->ntimestep == update->laststep;    // false if a signal stopped the run
-  std::string why;
-  if (file_) {
-    why = file_->file().put_fixed(file_->finished(), done);
-    if (why.empty()) why = file_->file().settle();
-  }
-  refuse_write(why);
+  if (file_) refuse_write(file_->file().put_fixed(file_->finished(), done));
   const double time = time_of(last_step_);
   if (done)
     refuse(bearing::write_run_yaml(folder_, about_,

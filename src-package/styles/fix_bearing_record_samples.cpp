@@ -121,7 +121,7 @@ void FixBearingRecord::sample_cage()
   for (const bearing::PocketRow &p : pair_->table().pocket)
     if (p.ball == 0) rows_.land(p.cage, p.loss);
     else if (const int i = rows_.ball(p.ball); i >= 0) rows_.cage(i, p.loss, p.force);
-  for (const FixBearingCage *f : bearing::fixes_of<FixBearingCage>(lmp))
+  for (const FixBearingCage *f : cages_)
     for (const bearing::CageRails::CageBall &b : f->rails().balls) rows_.rail(b.tag, b.loss);
 }
 
@@ -132,7 +132,6 @@ void FixBearingRecord::sample_parts()
     rows_.body(atom->tag[i], Vec3::from(atom->x[i]), Vec3::from(atom->v[i]),
                Vec3::from(atom->omega[i]));
   double of[of_ring::N];
-  bearing::note_setup(lmp);
   for (int n = 0; n < pair_->ring_sum().rings(); ++n) {
     bearing::ring_values(*atom, *pair_, n, of);
     rows_.ring(of);

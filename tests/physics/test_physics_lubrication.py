@@ -23,6 +23,15 @@ def test_share_of_a_short_inlet(length):
     assert fitted == pytest.approx(np.maximum(exact, 0.5), abs=7e-3)
 
 
+@pytest.mark.parametrize("thickness", [0.01, 0.07, 0.4, 1.1])
+def test_share_of_the_dissipated_power(thickness):
+    """The integral leaves out both the viscosity's growth with pressure and the force behind the
+    contact, which nearly cancel: the power dissipated in Grubin's inlet has the same fraction."""
+    length = 3.0
+    exact = reference.dissipated_inlet_share(length, thickness)
+    assert laws.inlet_share(length, thickness) == pytest.approx(exact, abs=0.015)
+
+
 def test_ends_of_the_inlet():
     assert np.all(rolling.inlet(0.0, THICKNESS, 1e-4, 5e-3) == 1.0)
     assert np.all(rolling.inlet(1.0, THICKNESS, 1e-4, 5e-3) == 0.5)

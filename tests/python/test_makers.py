@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Makers' formulas for the friction torque give the published values. Their limits and continuity
-are tested too."""
+are tested too, and the bearings that they imply."""
+
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
-from raceway import makers
+from raceway import inputs, makers, static
+
+BEARINGS = Path(__file__).resolve().parents[2] / "inputs/bearings"
 
 B6208 = makers.Boundary(40.0, 80.0, 18.0, "62", 19e3)
 SPEEDS = np.array([48.0, 477.5, 1910.0, 9549.0])
@@ -58,6 +63,65 @@ def test_axial_load_joins_on():
     found = makers.skf(B6208, 5000.0, 800.0, 1e-9, 46.0, boundary=1.0)
     expected = 3.23e-3 * 60**-0.145 * (5000.0**5 + 36.5 * 60**1.5 * 800.0**4 / sine) ** (1 / 3)
     assert found.sliding == pytest.approx(expected, rel=1e-6)
+
+
+def hertz_sums(zone, angle, power):
+    """Return (radial load, thrust, sum of Q^`power`) per ball for balls at a constant contact
+    `angle` in rad with loads up to 1, of which the load parameter of Sjoevall is `zone`."""
+    azimuth = (np.arange(3600) + 0.5) * np.pi / 1800
+    load = np.maximum(1 - (1 - np.cos(azimuth)) / (2 * zone), 0.0) ** 1.5
+    radial = np.mean(load * np.cos(azimuth)) * np.cos(angle)
+    return radial, load.mean() * np.sin(angle), np.mean(load**power)
+
+
+def test_rolling_under_thrust_is_that_of_a_load_zone_of_half_the_balls():
+    """R2 of deep groove bearings, the radial load that rolls as heavily as a thrust times sin
+    alpha, follows from a bearing without clearance whose contacts resist with Q^0.54."""
+    radial, _, rolled = hertz_sums(0.5, 0.0, 0.54)
+    for _, r2, *_ in makers.CONSTANTS.values():
+        assert r2 == pytest.approx(radial / rolled ** (1 / 0.54), rel=1e-3)
+
+
+@pytest.mark.parametrize("name", ["6204", "6205", "6208", "6308", "6310"])
+@pytest.mark.parametrize("thrust", [0.02, 0.1, 0.4])  # over C0
+def test_contact_angle_of_deep_groove_bearings(name, thrust):
+    """SKF's contact angle is that of a bearing without clearance whose groove radii add up to 1.046
+    ball diameters; `tests/bench/torque_points.py` uses such grooves."""
+    path = BEARINGS / name
+    own, rating = inputs.bearing(path), inputs.boundary(path).static_rating
+    size = own.ball_diameter
+    bearing = replace(own, inner_groove=0.518 * size, outer_groove=0.528 * size)
+
+    def angle(clearance):
+        loads = 0.0, thrust * rating
+        state = static.equilibrium(bearing, *loads, clearance=clearance, held=static.STRAIGHT)
+        return np.degrees(state.inner.angle[0])
+
+    assert angle(0.0) == pytest.approx(makers.contact_angle(rating, thrust * rating), rel=0.03)
+    assert angle(13e-6) > makers.contact_angle(rating, thrust * rating) * 1.03
+
+
+@pytest.mark.parametrize("zone", [0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 5.0, 20.0])
+def test_thrust_of_angular_contact_bearings(zone):
+    """The torques under a radial load and a thrust are those of the loads of the balls: Q^0.54 for
+    rolling and Q^(4/3) for spin. A radial load alone loads half of the balls, and the thrust that
+    this requires is part of it."""
+    bearing, angle = makers.Boundary(40.0, 80.0, 18.0, "72", 21.3e3), np.radians(40.0)
+    point = 1e-3, 46.0  # at low speed, without centrifugal forces
+
+    def torque(radial, axial):
+        return makers.skf(bearing, radial, axial, *point)
+
+    half = [hertz_sums(0.5, angle, power) for power in (0.54, 4 / 3)]
+    scale = 1000 / half[0][0]  # N
+    alone = torque(1000.0, 0.0)
+    for power, (*_, sum_at_half), part in zip((0.54, 4 / 3), half, ("rolling", "sliding")):
+        radial, axial, total = hertz_sums(zone, angle, power)
+        found = getattr(torque(scale * radial, scale * axial), part) / getattr(alone, part)
+        assert found == pytest.approx(total / sum_at_half, rel=0.15)
+    # the induced thrust follows from the same loads
+    assert half[0][1] / half[0][0] == pytest.approx(makers.INDUCED, rel=0.03)
+    assert torque(1000.0, 1000.0 * makers.INDUCED) == alone
 
 
 def test_drag():

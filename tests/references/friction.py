@@ -6,7 +6,7 @@ import math
 import mpmath
 import numpy as np
 from mpmath import mpf
-from scipy.integrate import quad
+from scipy.integrate import cumulative_trapezoid, quad
 
 from references import hertz
 
@@ -146,6 +146,27 @@ def inlet_share(length, thickness):
 
     far = 16.0
     return up_to(math.log(length - 1)) / (up_to(far) + math.exp(-far))
+
+
+def dissipated_inlet_share(length, thickness):
+    """Return the same fraction for the power that the pressure flow dissipates in Grubin's inlet,
+    where Barus' viscosity tends to infinity at the contact: the integral of (h - h_c) dp with
+    p = -ln(1 - xi q)/xi and dq/dX proportional to (h - h_c)/h^3."""
+
+    def power(length):
+        over = np.exp(np.linspace(-16, math.log(length - 1), 40001))  # X - 1, to the meniscus
+        x = 1 + over
+        gap = np.where(
+            over < 1e-4,
+            4 / 3 * math.sqrt(2) * over**1.5,
+            x * np.sqrt(x * x - 1) - np.arccosh(x),
+        )
+        slope = gap / (thickness + gap) ** 3
+        reduced = cumulative_trapezoid(slope, over, initial=0)
+        left = reduced / reduced[-1]  # 1 - xi q
+        return np.trapezoid(gap * slope / np.where(left > 0, left, 1.0), over)
+
+    return power(length) / power(1e4)
 
 
 def immersed(level, pitch):

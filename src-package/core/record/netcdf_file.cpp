@@ -156,23 +156,21 @@ std::string NetcdfFile::wait()
 
 std::string NetcdfFile::hand_over()
 {
-  const std::string why = flush();
-  return why.empty() ? wait() : why;
+  std::string why = flush();
+  if (why.empty()) why = wait();
+  return why.empty() ? count(written_) : why;
 }
 
 std::string NetcdfFile::settle()
 {
-  std::string why = hand_over();
-  if (why.empty()) why = count(written_);
-  if (why.empty() && fsync(file_) != 0) why = strerror(errno);
-  return why;
+  const std::string why = hand_over();
+  return why.empty() && fsync(file_) != 0 ? strerror(errno) : why;
 }
 
 std::string NetcdfFile::close()
 {
   if (file_ < 0) return "";
   std::string why = hand_over();
-  if (why.empty()) why = count(written_);
   if (::close(file_) != 0 && why.empty()) why = strerror(errno);
   file_ = -1;
   return why;

@@ -47,9 +47,9 @@ class NetcdfFile {
   bool full() const { return filled_ == batch_; }
   std::string flush();        // sends the current batch to the system; returns any error that
                               // occurred in the previous batch
-  std::string hand_over();    // flushes and waits until all data have been handed over to the
-                              // system
-  std::string settle();       // flushes, updates the count and waits until everything is on disk
+  std::string hand_over();    // flushes, waits until the system has received all data, and updates
+                              // the count
+  std::string settle();       // hands over and waits until everything is on disk
   std::string close();
   std::string put_fixed(int variable, double value);    // writes a scalar that has no time
                                                         // dimension immediately

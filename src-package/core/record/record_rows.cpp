@@ -36,12 +36,6 @@ void RecordRows::begin(const RecordLayout &layout, const RecordFile &file, const
   used_ = 0;
 }
 
-int RecordRows::ball(Tag tag) const
-{
-  const Place p = place(tag);
-  return p.kind == RecordFile::BALL ? p.at : -1;
-}
-
 double *RecordRows::row(Kind kind, int at)
 {
   double *to = room(2 + widths_[kind]);

@@ -17,7 +17,12 @@ class RecordRows {
   // Prepares to collect samples for a file in batches of `batch` samples.
   void begin(const RecordLayout &, const RecordFile &, const Columns &, size_t batch);
 
-  int ball(Tag) const;    // index in the layout, or -1 if it is not in the record
+  // Returns the index of a ball in the layout, or -1 if it is not in the record.
+  int ball(Tag tag) const
+  {
+    const Place p = place(tag);
+    return p.kind == RecordFile::BALL ? p.at : -1;
+  }
   // Returns true if orbit() must be called. The orbital speed of a ball (rad/s) is measured about
   // the axis of the outer ring or, if the ball has only one ring, of that ring.
   bool needs_orbit(int ball, raceway::Side s) const

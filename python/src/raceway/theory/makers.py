@@ -28,6 +28,9 @@ CONSTANTS = {
 }
 # (R1, R2, R3, S1, S2, S3) for single-row angular contact ball bearings, contact angle 40 degrees
 ANGULAR = {"72": (5.03e-7, 1.97, 1.90e-12, 1.30e-2, 0.68, 1.91e-12)}
+# thrust that a radial load induces in them, divided by that load: R of the General Catalogue 6000
+# (page 417) for bearings without an external thrust
+INDUCED = 1.0
 SAME = {"630": "60", "622": "62", "623": "63", "161": "160", "628": "618"}
 BOUNDARY, MINERAL, SYNTHETIC = 0.12, 0.05, 0.04  # mu_bl, and mu_EHL for the two kinds of oil
 OIL, GREASE = 3e-8, 6e-8  # K_rs for a low oil bath and oil jet, and for grease and oil-air
@@ -105,7 +108,9 @@ def skf(
     seal: float = 0.0,
 ) -> Torque:
     """Compute the `Torque` under a `radial` and an `axial` load in N at `speed` in rpm, with an oil
-    of `kinematic` viscosity in mm^2/s.
+    of `kinematic` viscosity in mm^2/s. In angular contact bearings, `axial` includes the thrust
+    that the radial load induces; SKF's formula requires the external part alone (General Catalogue
+    6000, page 91).
 
     `replenishment` is K_rs, and `boundary` and `film` are mu_bl and mu_EHL. `level` is the height
     of the oil above the lowest point of the raceway in mm (0: no drag). Raises `ValueError` if it
@@ -127,14 +132,14 @@ def _geometric(bearing, radial, axial, speed):
     mean = bearing.mean
     if bearing.series in ANGULAR:
         r1, r2, r3, s1, s2, s3 = ANGULAR[bearing.series]
-        thrown = mean**4 * speed**2
+        thrown, external = mean**4 * speed**2, np.maximum(axial - INDUCED * radial, 0.0)
         return (
-            r1 * mean**1.97 * (radial + r3 * thrown + r2 * axial) ** 0.54,
-            s1 * mean**0.26 * ((radial + s3 * thrown) ** (4 / 3) + s2 * axial ** (4 / 3)),
+            r1 * mean**1.97 * (radial + r3 * thrown + r2 * external) ** 0.54,
+            s1 * mean**0.26 * ((radial + s3 * thrown) ** (4 / 3) + s2 * external ** (4 / 3)),
         )
     r1, r2, s1, s2 = CONSTANTS[SAME.get(bearing.series, bearing.series)]
-    # degrees; if there is no axial load, the term with the angle is multiplied by zero
-    angle = 24.6 * (np.where(axial > 0, axial, 1.0) / bearing.static_rating) ** 0.24
+    # if there is no axial load, the term with the angle is multiplied by zero
+    angle = contact_angle(bearing.static_rating, np.where(axial > 0, axial, 1.0))
     sine = np.sin(np.radians(angle))
     slid = np.where(
         axial > 0,
@@ -142,6 +147,12 @@ def _geometric(bearing, radial, axial, speed):
         s1 * mean**-0.26 * radial ** (5 / 3),
     )[()]
     return r1 * mean**1.96 * (radial + r2 * axial / sine) ** 0.54, slid
+
+
+def contact_angle(static_rating: float, axial: Numbers) -> Numbers:
+    """Return alpha_F of SKF's model in degrees, the contact angle of a deep groove bearing with the
+    `static_rating` C0 in N under an `axial` load in N."""
+    return 24.6 * (axial / static_rating) ** 0.24
 
 
 def drag(bearing: Boundary, speed: Numbers, kinematic: Numbers, level: float) -> Numbers:
