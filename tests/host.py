@@ -188,6 +188,13 @@ def deck_file(folder, text, name="in.deck"):
     return path
 
 
+def columns(path):
+    """Return the columns of a text table, keyed by the names in its first line."""
+    with open(path) as file:
+        names = file.readline().lstrip("# ").split()
+    return dict(zip(names, np.loadtxt(path, ndmin=2).T, strict=True))
+
+
 def refused(outcome, message):
     """Check that a run failed with an error that matches the regular expression `message`."""
     assert outcome.code > 0, outcome.text[-2000:]

@@ -9,16 +9,14 @@ import re
 
 import numpy as np
 import xarray
-from host import box, deck_file, succeed
+from host import box, columns, deck_file, succeed
 
 DECK = "tests/scenarios/in.shaft"
 TILTING = "x free y free rx free ry free spin speed"
 
 
 def data_of(folder):
-    file = folder / "shaft.dat"
-    names = file.read_text().splitlines()[0].split()[1:]
-    return dict(zip(names, np.loadtxt(file, ndmin=2).T, strict=True))
+    return columns(folder / "shaft.dat")
 
 
 def swing(folder, **variables):

@@ -14,10 +14,9 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
+import raceway
 from deck_runs import MAIN, ROOT, attempt
 from raceway import inputs, listing, static
-from raceway.runs.summary import summary
-from raceway.runs.tables import RunTables
 
 WITHIN = 0.01
 PHASES = 16  # number of ball positions that are sampled within a ball pass
@@ -28,7 +27,7 @@ def run(name, load, axial, out):
     done = attempt(MAIN, bearing=name, load=load, axial=axial, out=out, passes=1)
     if done.returncode:
         return None, done.stdout[-300:]
-    return summary(RunTables(out))["q_inner_max_N"], ""
+    return raceway.open(out).summary()["q_inner_max_N"], ""
 
 
 def expected(path, load, axial):

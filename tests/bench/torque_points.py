@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Compare the friction torque by statics with the models `full` with SKF's formula at 40 points of
-eight bearings, and the heat at the reference speed of five; writes docs/torque_points.rst.
+eight bearings, and the heat at the reference speed of five; write the tables and the mean ratios
+of docs/torque_points.rst.
 
     .venv/bin/python tests/bench/torque_points.py [--no-page]
 
@@ -174,141 +175,39 @@ def off(own, skf):
     return [share for share in large if not 1 / MOST_OFF <= own[share] / skf[share] <= MOST_OFF]
 
 
-HEAD = """Friction torque compared with SKF's formula
-===========================================
-
-This page is written by ``tests/bench/torque_points.py``. It compares the friction torque from
-statics with the models ``full`` and a cage ring to that from SKF's formula. No constant is fitted
-to SKF's formula. SKF's model is valid for aligned bearings with normal operating clearance under at
-least the minimum load (General Catalogue 6000, 2006, pages 89 and 101 of the Russian edition,
-called *GC* below). The inner ring therefore cannot tilt, and there is no clearance (see below). The
-rings are rigid, the conformities are 0.518 and 0.528 in deep groove bearings (see below) and 0.52
-and 0.53 in angular contact bearings, and the oil is ``vg46`` at the temperature at which it has the
-stated viscosity. An oil bath reaches the middle of the lowest ball. SKF's formula is evaluated for
-:math:`\\mu_{bl}` = 0.12, :math:`\\mu_{EHL}` = 0.05 and the same oil.
-
-The first table lists torques in N mm: the value from statics, then the value from SKF's formula.
-Rolling includes hysteresis; sliding is the sum of slip and spin. SKF's torque includes the friction
-at the cage without stating it separately (GC, page 88), so the sum includes the losses of the cage.
-A contribution is printed in bold if it differs from SKF's value by a factor of more than 1.5 and
-SKF's value is above 10 % of SKF's total torque.
-"""
-
-ASSUMED = """What SKF's formula assumes
---------------------------
-
-The first two of these assumptions follow from the constants of the formula
-(``tests/python/test_makers.py``).
-
-*No clearance.* In deep groove bearings, a thrust :math:`F_a` counts as a radial load of
-:math:`1.7\\,F_a/\\sin\\alpha_F`. If contacts resist rolling in proportion to :math:`Q^{0.54}`,
-the power of the load in the formula, this factor is 1.700 for a bearing without clearance, in which
-a radial load is carried by half of the balls, and 1.99 for a load parameter of 0.4. The contact
-angle :math:`\\alpha_F` = 24.6° :math:`(F_a/C_0)^{0.24}` is that of bearings without clearance if
-their groove radii add up to 1.046 ball diameters: from 0.02 to 0.4 :math:`C_0`, the five deep
-groove bearings of series 62 and 63 agree within 3 % and the 6010 within 4 %. With a clearance of
-13 µm, the angle of a 6208 under 0.02 :math:`C_0` is 12.2° instead of 9.5°.
-
-*Thrust from outside.* In angular contact bearings, a radial load induces a thrust, and the formula
-requires the thrust without this part (GC, page 91). A radial load alone stands for a bearing in
-which half of the balls are loaded; at a contact angle of 40°, this requires a thrust of 1.02 times
-the radial load, and SKF states a factor of 1 (GC, page 417). The formula then agrees within 15 %
-with sums of :math:`Q^{0.54}` and :math:`Q^{4/3}` over the balls for any combined load. With the
-whole thrust, it would be up to 1.8 times as high as these sums.
-
-*Centrifugal forces.* The formula for deep groove bearings has none. The formula for angular contact
-bearings adds a radial load, which is 2460 N for a 7208B at 10,000 rpm, although the centrifugal
-forces of its 13 balls add up to 569 N. At 10,000 rpm, rolling is therefore 1.21 to 1.53 times SKF's
-value in deep groove bearings and 0.61 to 0.71 times in angular contact bearings. Without
-centrifugal forces on both sides, it is 1.03 to 1.11 and 0.88 to 0.92 times SKF's value.
-
-*Minimum load.* A 7208B at 10,000 rpm requires a thrust of 0.92 kN (GC, page 414). According to
-statics, its balls skid below about 0.98 kN (:doc:`tribology`).
-
-Remaining differences
----------------------
-"""
-
-WHY = """*Rolling.* SKF's rolling torque grows with the load to the power 0.54. The hydrodynamic
-resistance of a contact grows with the power 0.41 between 200 N and 1 kN (6208, 3000 rpm, 20 mPa s),
-and hysteresis with the power 4/3. Apart from the points at 10,000 rpm, rolling is 0.72 to 1.02
-times SKF's value.
-
-*Sliding in deep groove bearings.* If the balls spin at one raceway, Coulomb friction resists a
-thrust with the torque :math:`\\tfrac38\\mu a\\bar EF_a`, since the spins at both raceways differ by
-:math:`\\omega\\sin\\alpha` and the load on each ball is :math:`F_a/(Z\\sin\\alpha)`. SKF's sliding
-torque is 1.08 to 1.09 times this value for the two angular contact bearings under 0.1 and 0.3
-:math:`C_0`, but 1.7 to 2.1 times for the deep groove bearings under 0.1 :math:`C_0`. That of
-statics, which also includes differential slip, is 0.91 to 1.01 and 1.2 to 1.6 times this value. The
-closed-form laws of statics are within 4 % of the sums over slices (``--spin-law slices``). Sliding
-grows with the width of the contacts and thus depends on the conformities, which no catalogue
-states. Under radial loads, for which it grows with the square of the width, it is 0.62 to 0.84
-times SKF's value at 250 and 3000 rpm.
-
-*Other formulas.* At the 18 points with a radial load alone, Palmgren's torque is 0.55 to 2.39 times
-SKF's, with a spread of ×/÷ 1.60.
-
-*Rings that tilt.* Under a combined load, a ring that is free to tilt makes the balls of a 7205B and
-a 7208B run 1.4 to 2.1 mm ahead of and behind one another in pockets with a play of 0.2 and 0.3 mm
-(:doc:`cage`). The cage restrains them, and the torque is 5.3 to 7.3 times SKF's. A 7208B under 0.05
-and 0.1 :math:`C_0` then has a torque of 596 N mm in statics, 423 N mm of it at the cage, and of 608
-N mm in a run (381 N mm).
-"""
-
-OTHERS = """Other assumptions
------------------
-
-With conformities of 0.51 and 0.52, the balls of the 7208B skid at 10,000 rpm. The
-last two rows show the effect of constants and laws that :doc:`tribology` mentions but whose sources
-were not available to us: the loss factor that corresponds to Houpert's formula if the shape of the
-contact ellipse is disregarded, and the asperity law of Olver and Spikes.
-"""
-
-REFERENCE_SPEED = """Reference speed
----------------
-
-The table compares the heat generated in statics without drag and cage (catalogue's reference speed,
-0.05 :math:`C_0`, vg32 at 12 mm²/s, the middle of the normal clearance) with the cooling power
-according to ISO 15312 at 50 K. The standard requires normal clearance (GC, page 108).
-"""
-
-
-def wrapped(text):
-    """Return `text` with its paragraphs wrapped at WIDTH; headings and tables stay as they are."""
-    blocks = text.split("\n\n")
-    return "\n\n".join(
-        block
-        if block.startswith((".. ", "   ")) or block.endswith(("===", "---"))
-        else textwrap.fill(block, WIDTH, break_long_words=False, break_on_hyphens=False)
-        for block in blocks
-    )
-
-
-def page(found, others, heats):
-    lines = []
+def tables(found, others, heats):
+    """Return the rows of the tables of the page, in their order."""
+    points = []
     for name, (radial, axial, rpm, viscosity), own, skf in found:
         wrong = off(own, skf)
         cells = [f"{own[one]:.3g} / {skf[one]:.3g}" for one in SHARES]
         cells = [f"**{cell}**" if one in wrong else cell for one, cell in zip(SHARES, cells)]
         totals = total(own), total(skf)
-        lines.append(
+        points.append(
             [name, f"{radial:g}, {axial:g}", f"{rpm:g}, {viscosity:g}", *cells, f"{own[CAGE]:.3g}",
              "{:.3g} / {:.3g}".format(*totals), f"{totals[0] / totals[1]:.2f}"]
         )  # fmt: skip
-    header = ("bearing", "radial, axial load over :math:`C_0`", "rpm, mPa s", *SHARES, CAGE, "sum",
-              "ratio")  # fmt: skip
     heat_lines = [
         [name, f"{rpm:g}", f"{own:.1f}", f"{carried:.1f}", f"{own / carried:.2f}"]
         for name, (rpm, own, carried) in heats.items()
     ]
-    text = "\n".join(
-        [HEAD, summary(found), "", *csv_table(header, lines), ASSUMED, WHY, OTHERS,
-         *csv_table(("what differs", "points", "geometric mean", "spread", "lowest", "highest",
-                     "with a bold contribution"), [others_line(*one) for one in others.items()]),
-         REFERENCE_SPEED,
-         *csv_table(("bearing", "rpm", "own W", "ISO 15312 W", "ratio"), heat_lines)]
-    )  # fmt: skip
-    return f"{wrapped(text.rstrip())}\n"
+    return points, [others_line(*one) for one in others.items()], heat_lines
+
+
+def page(text, first, rows):
+    """Return the `text` of the page with `first` as the paragraph that begins with its first words,
+    and with new rows below the headings of its tables."""
+    start = first[:12]
+    blocks = iter(rows)
+    found = []
+    for block in text.split("\n\n"):
+        if block.startswith(start):
+            block = textwrap.fill(first, WIDTH, break_long_words=False, break_on_hyphens=False)
+        elif block.startswith("   ") and not block.startswith("   :"):
+            heading = block.split("\n")[0]
+            block = "\n".join([heading, *csv_table((), next(blocks))[4:-1]])
+        found.append(block)
+    return "\n\n".join(found).rstrip() + "\n"
 
 
 def total(torques):
@@ -389,7 +288,8 @@ def main():
     for what, points in others.items():
         print(*others_line(what, points))
     if not given.no_page:
-        PAGE.write_text(page(found, others, heats))
+        new = page(PAGE.read_text(), summary(found), tables(found, others, heats))
+        PAGE.write_text(new)
 
 
 if __name__ == "__main__":

@@ -4,9 +4,8 @@ as a whole against SKF's formula. No constant has been fitted."""
 
 import numpy as np
 import pytest
+import raceway
 from host import ROOT, succeed
-from raceway.runs.summary import summary
-from raceway.runs.tables import RunTables
 from raceway.theory.operating_point import figures
 
 
@@ -14,7 +13,7 @@ from raceway.theory.operating_point import figures
 def test_torque(tmp_path, rpm):
     """At 5 kN and 0.04 Pa s, the friction torque is within 35 % of the value from SKF's formula."""
     succeed("inputs/in.6208", out=tmp_path, models="full", rpm=rpm, passes=2)
-    run = summary(RunTables(tmp_path))
+    run = raceway.open(tmp_path).summary()
     point = {"load": 5000.0, "rpm": rpm, "models": "full"}
     still = [
         figures("6208", "mineral", ROOT / "inputs", phase=phase, **point)["losses_W"]
@@ -41,7 +40,7 @@ def test_torque_is_steady(tmp_path):
             passes=2,
             tolerance=tolerance,
         )
-        torques.append(summary(RunTables(tmp_path))["friction_torque_N_m"])
+        torques.append(raceway.open(tmp_path).summary()["friction_torque_N_m"])
     early, late, finer = torques
     assert early == pytest.approx(late, rel=7e-3)
     assert finer == pytest.approx(early, rel=1e-4)

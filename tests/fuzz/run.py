@@ -24,7 +24,7 @@ from fuzz.draw import Draw
 from fuzz.lab import HOSTS, Finding, Lab, Refused
 from fuzz.oracles import ORACLES
 from fuzz.scene import scene
-from fuzz.shrink import shrink
+from fuzz.shrink import shrink, slim, whole
 from host import ROOT
 
 SHARES = dict.fromkeys(ORACLES, 4) | {"hostile": 16, "command": 14, "main_deck": 8}
@@ -72,8 +72,9 @@ def report(name, seed, host, message):
             verdict, text = judge(name, seed, host, drawn)
             return verdict == "finding" and text.startswith(kind)
 
-        found["scene"] = shrink(scene(seed), fails)
-        (FINDINGS / f"in.{seed}").write_text(deck(found["scene"]))
+        smallest = shrink(scene(seed), fails)
+        found["scene"] = slim(smallest)
+        (FINDINGS / f"in.{seed}").write_text(deck(smallest))
     elif name == "hostile":
         text = hostile.spoil(Draw(f"{seed} {name}"), deck(scene(seed)))
         (FINDINGS / f"in.{seed}").write_text(text)
@@ -101,10 +102,11 @@ def series(seeds, host, only=None, runs=None, tell=lambda *words: None):
 def replay(file, host=None):
     """Return (verdict, message) for a finding that has been saved to a file."""
     found = yaml.safe_load(Path(file).read_text())
-    name, seed, scene_found = found["oracle"], found["seed"], found.get("scene")
+    name, seed = found["oracle"], found["seed"]
+    drawn = whole(found["scene"]) if "scene" in found else None
     with tempfile.TemporaryDirectory() as folder:
         runs = files.runs(Path(folder)) if name == "command" else None
-        return judge(name, seed, host or found["host"], scene_found, runs)
+        return judge(name, seed, host or found["host"], drawn, runs)
 
 
 def main():

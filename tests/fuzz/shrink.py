@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Remove parts of a scene for as long as the failure persists."""
+"""Remove parts of a scene for as long as the failure persists, and write it without what it has in
+common with a plain scene."""
 
 from itertools import combinations
 
@@ -27,6 +28,34 @@ PLAIN_RING = {
     "moment": [0, 0],
     "spin": 0,
 }
+FIXED = {name: ["fixed"] for name in ("x", "y", "z", "rx", "ry")}
+
+
+def slim(scene):
+    """Return the scene without what `whole` adds."""
+
+    def ring(one):
+        freedoms = {name: mode for name, mode in one["freedoms"].items() if mode != FIXED[name]}
+        return _differs(one | {"freedoms": freedoms}, PLAIN_RING)
+
+    scene = scene | {which: scene[which] and ring(scene[which]) for which in ("inner", "outer")}
+    return _differs(scene, PLAIN)
+
+
+def whole(scene):
+    """Return the scene with all that it has in common with a plain scene."""
+
+    def ring(one):
+        return PLAIN_RING | one | {"freedoms": FIXED | one["freedoms"]}
+
+    scene = PLAIN | scene
+    return scene | {which: scene[which] and ring(scene[which]) for which in ("inner", "outer")}
+
+
+def _differs(found, plain):
+    return {
+        name: value for name, value in found.items() if name not in plain or plain[name] != value
+    }
 
 
 def shrink(scene, fails):

@@ -253,6 +253,10 @@ class Verdict(NamedTuple):
     def good(self):
         return bool(self.figure <= self.bound)
 
+    @property
+    def share(self):
+        return self.figure / self.bound
+
     def __str__(self):
         return (
             f"{self.figure:.2e}, bound {self.bound:.2e}{', ' if self.remark else ''}{self.remark}"
@@ -297,7 +301,23 @@ def _judge_averages(found, truth, bound):
                 f" {statistical:.2g}",
             )
         )
-    return max(verdicts, key=lambda verdict: verdict.figure / verdict.bound)
+    return max(verdicts, key=lambda verdict: verdict.share)
+
+
+def yardsticks(case):
+    """Return the kind of reference with the same friction law by which a run is judged, and that of
+    velocity Verlet with its settings."""
+    kinds = case["references"]
+    pairs = (("verlet", "fine"), ("verlet", "history"))
+    return [next(one for one in pair if one in kinds) for pair in pairs]
+
+
+def judge_coarse(found, truth, case):
+    """Return the `Verdict` for a course by `coarse`, compared with a course with the samples of the
+    case."""
+    factor = case["large"]["factor"]
+    truth = first_samples(truth, factor * (len(found.load) - 1))
+    return judge(found, truth, case, case["large"], factor)
 
 
 def least_room(course, truths, case):
@@ -309,7 +329,7 @@ def least_room(course, truths, case):
         else judge(course, truths[kind], case, words)
         for kind, words in case["references"].items()
     ]
-    return max(verdicts, key=lambda verdict: verdict.figure / verdict.bound)
+    return max(verdicts, key=lambda verdict: verdict.share)
 
 
 def truths_of(folder, case):

@@ -7,7 +7,7 @@ import statistics
 
 from host import liggghts
 
-from hard.harness import DECK, coarse, first_samples, judge, least_room, run
+from hard.harness import DECK, coarse, judge_coarse, least_room, run
 
 RUNS = 3  # number of repeated runs, of which the median is used
 
@@ -40,10 +40,5 @@ def nearest(folder, case, control, truths):
     case = dict(case, control=control)
     found, long = run(folder, case), coarse(folder, case)
     assert not found.error and not long.error, found.error or long.error
-    factor = case["large"]["factor"]
-    truth = first_samples(truths["verlet"], factor * (len(long.load) - 1))
-    verdicts = [
-        least_room(found, truths, case),
-        judge(long, truth, case, case["large"], factor),
-    ]
-    return max(verdicts, key=lambda verdict: verdict.figure / verdict.bound), long.step
+    verdicts = least_room(found, truths, case), judge_coarse(long, truths["verlet"], case)
+    return max(verdicts, key=lambda verdict: verdict.share), long.step

@@ -125,32 +125,22 @@ def too_large(name, folder):
     """Return the results of a case with host steps and velocity Verlet steps that are deliberately
     too large."""
     case = CASES[name]
-    kinds = case["references"]
-    truth_kind = next(k for k in ("verlet", "fine") if k in kinds)
-    factor = case["large"]["factor"]
+    truth_kind, kind = harness.yardsticks(case)
     found, truth = harness.coarse(folder, case), reference(truth_kind, folder, case)
-    cells = [name, number(factor * float(case["variables"]["sample"]))]
+    cells = [name, number(case["large"]["factor"] * float(case["variables"]["sample"]))]
     if found.error:
         cells += ["", "", found.error]
     else:
-        verdict = judge(
-            found,
-            harness.first_samples(truth, factor * (len(found.load) - 1)),
-            case,
-            case["large"],
-            factor,
-        )
-        cells += [number(found.step), str(verdict), ""]
+        cells += [number(found.step), str(harness.judge_coarse(found, truth, case)), ""]
     if "large" in case.get("misses", {}):
         cells[-1] = f"**misses**: {case['misses']['large']}"
-    kind = next(k for k in ("verlet", "history") if k in kinds)
     truth = truth if kind == truth_kind else reference(kind, folder, case)
     for factor in EXPLICIT:
         course = reference(kind, folder, case, refine=1 / factor)
         if course.error:
             cells.append("refused")
             continue
-        verdict = judge(course, truth, case, dict(kinds[kind], bound="nonsense"))
+        verdict = judge(course, truth, case, dict(case["references"][kind], bound="nonsense"))
         cells.append(
             f"{number(verdict.figure)}{', warned' if 'WARNING: timestep' in course.text else ''}"
             f"{'' if verdict.good else ', **nonsense**'}"

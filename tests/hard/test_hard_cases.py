@@ -13,12 +13,13 @@ from hard.harness import (
     CASES,
     EXPLICIT,
     coarse,
-    first_samples,
     full,
     judge,
+    judge_coarse,
     judge_statics,
     reference,
     run,
+    yardsticks,
 )
 from hard.speed import nearest
 
@@ -50,15 +51,6 @@ def courses(tmp_path_factory):
         return course
 
     return get
-
-
-def yardstick(name):
-    """Return the reference with the same friction law by which a run is judged, and the velocity
-    Verlet reference with its settings."""
-    kinds = CASES[name]["references"]
-    return next(k for k in ("verlet", "fine") if k in kinds), next(
-        k for k in ("verlet", "history") if k in kinds
-    )
 
 
 @pytest.mark.parametrize(
@@ -153,17 +145,15 @@ def test_kept_derivatives_solve_the_same_stages(tmp_path):
 def test_host_step_too_large(courses, tmp_path, name):
     """The error control refines the step until the samples meet the bound of the case, or the run
     is rejected with a clear message."""
-    case, kind = CASES[name], yardstick(name)[0]
+    case, kind = CASES[name], yardsticks(CASES[name])[0]
     found = coarse(tmp_path, case)
     if found.error:
         assert re.search(
             r"fix bearing/implicit at step \d+: no solution with substeps down to", found.error
         ), found.error
         return
-    factor = case["large"]["factor"]
-    truth = first_samples(courses(name, kind), factor * (len(found.load) - 1))
-    verdict = judge(found, truth, case, case["large"], factor)
-    print(f"{name}, host step x {factor}: {verdict}")
+    verdict = judge_coarse(found, courses(name, kind), case)
+    print(f"{name}, host step x {case['large']['factor']}: {verdict}")
     assert verdict.good, str(verdict)
 
 
@@ -174,7 +164,7 @@ def test_host_step_too_large(courses, tmp_path, name):
 def test_verlet_step_too_large(courses, tmp_path, name, factor):
     """Velocity Verlet with a step far beyond its limit is rejected or still gives sensible results;
     a warning alone is not enough."""
-    case, kind = CASES[name], yardstick(name)[1]
+    case, kind = CASES[name], yardsticks(CASES[name])[1]
     found = reference(kind, tmp_path, case, refine=1 / factor)
     if found.error:
         assert re.search(

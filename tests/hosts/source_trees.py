@@ -32,8 +32,11 @@ class Installer:
         assert contents(tree) == before
 
     def in_and_out(self, tree):
-        """Check that the tree is as before after Raceway has been installed and removed, and return
-        what it contained before and in between."""
+        """Check that the tree must be named, that it is as before after Raceway has been installed
+        and removed, and return what it contained before and in between."""
+        self.refused(tree, "has no Raceway", what="uninstall")
+        code, text = self.make("install", "")
+        assert code != 0 and "make install-tree LIGGGHTS=" in text
         before = contents(tree)
         code, text = self.make("install", tree)
         assert code == 0, text

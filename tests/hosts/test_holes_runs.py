@@ -9,11 +9,10 @@ import shutil
 import signal
 
 import pytest
+import raceway
 from host import HOSTS, ROOT, deck_file, liggghts, refused, run, succeed, wait_for_file
 from host import start as start_deck
 from hosts.kills import start
-from raceway.runs.summary import summary
-from raceway.runs.tables import RunTables
 from smallest import IMPLICIT, SMALLEST, outcome
 
 EHD = (ROOT / "docs" / "decks" / "in.ehd").read_text()
@@ -124,7 +123,7 @@ def test_an_ellipse_past_its_shoulder(tmp_path):
     words = dict(out=tmp_path, load=1.5e5, **SHORT)
     found = dict(doubts(succeed("inputs/in.6208", **words).text))
     (name,) = (one for one in found if one.startswith("reach of a contact ellipse"))
-    said = " ".join(summary(RunTables(tmp_path))["warnings"])
+    said = " ".join(raceway.open(tmp_path).summary()["warnings"])
     up, edge = re.search(r"reaches ([0-9.]+)° .*? shoulder is at ([0-9.]+)°", said).groups()
     assert float(found[name]) > 1
     assert float(found[name]) == pytest.approx(float(up) / float(edge), rel=0.05)
@@ -146,7 +145,7 @@ def test_a_film_outside_its_fit(tmp_path, law, warned):
 def test_a_ramp_longer_than_the_settling(tmp_path, ramp):
     """The load was once measured while it was still being ramped up."""
     succeed("inputs/in.6208", out=tmp_path, ramp=ramp, **SHORT)
-    assert summary(RunTables(tmp_path))["force_y_N"] == pytest.approx(5000, rel=1e-2)
+    assert raceway.open(tmp_path).summary()["force_y_N"] == pytest.approx(5000, rel=1e-2)
 
 
 def test_a_film_thicker_than_its_contact_is_long(tmp_path):

@@ -51,10 +51,6 @@ def test_in_and_out(tree):
     assert "-std=c++17" in machine and "-std=c++11" not in machine and "LIB =\n" in machine
 
 
-def test_a_tree_without_it(tree):
-    TREES.refused(tree, "has no Raceway", what="uninstall")
-
-
 def test_no_tree(tmp_path):
     TREES.refused(tmp_path, "is not a LAMMPS source tree")
 

@@ -49,17 +49,8 @@ def test_in_and_out(tree):
     assert not any(b'"../' in text for name, text in after.items() if text and name not in before)
 
 
-def test_a_tree_without_it(tree):
-    TREES.refused(tree, "has no Raceway", what="uninstall")
-
-
 def test_no_tree(tmp_path):
     TREES.refused(tmp_path, "is not a LIGGGHTS source tree")
-
-
-def test_nothing_named():
-    code, text = TREES.make("install", "")
-    assert code != 0 and "make install-tree LIGGGHTS=" in text
 
 
 def test_another_version(tree):

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 import raceway
 from host import BOX, deck_file, frames, refuses, same_files, succeed
-from scipy.io import netcdf_file
+from recorded_runs import bytes_of
 
 DECK = "tests/hosts/in.many_bits"
 # {atoms per bearing: number of the first raceway ring}, with a cage ring and with a chain
@@ -50,12 +50,6 @@ def table(folder, ring):
         assert len(mine) == 1
         found[step] = mine[0]
     return found
-
-
-def variables(folder):
-    """Return a dict that maps the name of each variable in a record to its bytes."""
-    with netcdf_file(folder / "record.nc", mmap=False) as file:
-        return {name: one.data.tobytes() for name, one in file.variables.items()}
 
 
 def atoms(folder, ring):
@@ -112,7 +106,7 @@ def test_hosts(tmp_path, host, ranks):
     assert (tmp_path / "one/fleet.txt").read_text() == (tmp_path / "other/fleet.txt").read_text()
     one, other = (frames(tmp_path / folder / "bearings.dump") for folder in ("one", "other"))
     assert one == other
-    one, other = (variables(tmp_path / folder) for folder in ("one", "other"))
+    one, other = (bytes_of(tmp_path / folder) for folder in ("one", "other"))
     assert one == other and "ring_x" in one
 
 

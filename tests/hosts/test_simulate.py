@@ -8,14 +8,13 @@ import re
 import signal
 import subprocess
 import sys
-import time
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
 from pathlib import Path
 
 import pytest
 import raceway
-from host import ENVIRONMENT, ROOT, run, succeed
+from host import ENVIRONMENT, ROOT, run, succeed, wait_for
 from raceway.errors import RacewayError, RunError
 
 POINT = {"bearing": "6306", "load": 1234.5678901234567, "rpm": 1000, "models": "paper"}
@@ -168,7 +167,7 @@ def test_stopped_and_continued(tmp_path, whom):
     assert not Path(f"/proc/{host}").exists()
     with pytest.raises(RunError):
         raceway.open(out).tables.need_finished()
-    _until(lambda: not any(Path(f"/proc/{rank}").exists() for rank in ranks))
+    wait_for(lambda: not any(Path(f"/proc/{rank}").exists() for rank in ranks))
     assert raceway.simulate(out=out, **words).tables.finished
     assert record(out) == record(tmp_path / "whole")
 
@@ -184,12 +183,4 @@ def _wait(path, process):
         assert process.poll() is None
         return path.exists() and path.stat().st_size > 1_500_000
 
-    _until(grown)
-
-
-def _until(condition):
-    for _ in range(600):
-        if condition():
-            return
-        time.sleep(0.02)
-    raise AssertionError("not within 12 s")
+    wait_for(grown)

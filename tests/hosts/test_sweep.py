@@ -20,8 +20,6 @@ import raceway
 from commands import reply
 from host import ENVIRONMENT, ROOT, run, same_files, succeed, wait_for
 from raceway.cli import main
-from raceway.runs.summary import summary
-from raceway.runs.tables import RunTables
 from raceway.sweeps.points import deck_variables
 
 ENV = {
@@ -85,7 +83,7 @@ def test_a_deck_of_several_bearings_without_resume(tmp_path):
     assert "1 finished" in done.stdout, done.stderr
     row = pd.read_csv(out / "results.csv").iloc[0]
     for number, name in ((1, "6208"), (2, "6306")):
-        figures = summary(RunTables(out / "rpm=3000", bearing=number))
+        figures = raceway.open(out / "rpm=3000").select(number).summary()
         assert str(row[f"bearing_{number}_bearing"]) == name == figures["bearing"]
         assert row[f"bearing_{number}_q_max_N"] == pytest.approx(figures["q_max_N"], rel=1e-15)
         assert row[f"bearing_{number}_loss_slip_W"] == pytest.approx(figures["losses_W"]["slip"])
@@ -121,7 +119,7 @@ def test_sweep(table, tmp_path, counter):
     one = results.set_index("point").loc[
         "load=5000_rpm=477.5_lubricant=mineral_passes=1_samples=20"
     ]
-    figures = summary(RunTables(out / one.name))
+    figures = raceway.open(out / one.name).summary()
     losses = {f"loss_{part}_W" for part in figures["losses_W"] or ()}
     assert set(figures) - {"losses_W", "model_ranges", "absent"} | losses <= set(results.columns)
     assert one["q_max_N"] == pytest.approx(figures["q_max_N"], rel=1e-15)

@@ -8,7 +8,7 @@ from host import ROOT, refuses, run, succeed
 from raceway import core
 from raceway.sweeps.points import deck_variables
 from raceway.sweeps.variable_table import DATA, needed, rows
-from scenarios.test_run_bearing import differ
+from recorded_runs import differ
 
 RANGES = {row["name"]: row for row in rows() if row["range"]}
 

@@ -6,6 +6,7 @@ import re
 
 import pytest
 from host import deck_file, succeed
+from recorded_runs import bytes_of
 from scipy.io import netcdf_file
 
 FIXES = {
@@ -58,10 +59,10 @@ def record(folder, fixes=tuple(FIXES), begin=BEGIN, runs="run 400", **options):
     deck = deck_file(folder, DECK.format(**words, runs=runs))
     succeed(deck, out=folder, **options)
     with netcdf_file(folder / "record.nc", mmap=False) as file:
-        found = {name: one.data.tobytes() for name, one in file.variables.items()}
         oil = file.variables["bearing_temperature_oil"].data
         assert len(set(oil[:, 0])) > 2 and len(set(oil[:, 1])) > 2, "temperatures have not jumped"
         commands = file.pair_commands
+    found = bytes_of(folder)
     del found["checksum"]  # that of the header, which names the host
     return found | {"commands": commands}
 

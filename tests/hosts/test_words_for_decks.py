@@ -157,11 +157,6 @@ def test_dump_refused(tmp_path, words, says):
     refuses(deck_file(tmp_path, text), "bearing_dump", says)
 
 
-def test_create_refused(tmp_path):
-    deck = deck_file(tmp_path, f"{BOX}{RACEWAYS}{CREATE} groups maybe\n")
-    refuses(deck, "create_bearing", "groups is 'maybe', must be one of: no, yes")
-
-
 @HOSTS
 def test_balance(tmp_path, host):
     """The fix computes which fraction of the mean load is not carried by the contacts, along the

@@ -6,9 +6,8 @@ import re
 
 import numpy as np
 import pytest
+import raceway
 from host import ROOT, deck_file, frames, refuses, succeed
-from raceway.runs.summary import summary
-from raceway.runs.tables import RunTables
 from scenarios import closed_forms
 
 CASE = "tests/implicit/in.case"
@@ -43,46 +42,34 @@ def ring(motion):
     return f"x free y free {motion} ramp 3.0e-3"
 
 
+RADIAL = ring("spin speed 50 force 0 -5000 0")
+ESTIMATE = "tolerance 1e-10 control estimate"
+LOOSE, TIGHT = dict(clearance=44.1e-6), dict(clearance=-88.2e-6)
+SMALL_PLAY = dict(cage_ball=8.4455e-3)
+
+
 @pytest.mark.parametrize(
-    "name, bound, case",
+    "bound, control, case",
     [
-        ("radial", 1e-4, dict(inner=ring("spin speed 50 force 0 -5000 0"))),
-        ("open", 1e-3, dict(inner=ring("spin speed 50 force 0 -5000 0"), clearance=44.1e-6)),
-        ("preload", 1e-4, dict(inner=ring("spin speed 50 force 0 -5000 0"), clearance=-88.2e-6)),
-        ("axial", 1e-3, dict(inner=ring("z free spin speed 50 force 0 -2000 3000"))),
-        (
-            "both rings free",
-            1e-4,
-            dict(
-                inner=ring("spin speed 50 force 0 -5000 0"),
-                outer="x free y free force 0 5000 0 ramp 3.0e-3",
-            ),
-        ),
-        ("free spin", 3e-3, dict(inner=ring("spin free force 0 -5000 0 moment 0 0 0.5"))),
-        ("dry", 2e-3, dict(inner=ring("spin speed 50 force 0 -5000 0"), lubricant="dry")),
-        (
-            "tight pockets",
-            1e-4,
-            dict(inner=ring("spin speed 50 force 0 -5000 0"), cage_ball=8.4455e-3),
-        ),
+        (1e-4, "", {}),
+        (1e-3, "", LOOSE),
+        (1e-4, "", TIGHT),
+        (1e-3, "", dict(inner=ring("z free spin speed 50 force 0 -2000 3000"))),
+        (1e-4, "", dict(outer="x free y free force 0 5000 0 ramp 3.0e-3")),
+        (3e-3, "", dict(inner=ring("spin free force 0 -5000 0 moment 0 0 0.5"))),
+        (2e-3, "", dict(lubricant="dry")),
+        (1e-4, "", SMALL_PLAY),
+        (2e-4, ESTIMATE, {}),
+        (1e-3, ESTIMATE, LOOSE),
+        (2e-4, ESTIMATE, SMALL_PLAY),
     ],
+    ids=str,
 )
-def test_loads_against_verlet(tmp_path, name, bound, case):
-    """Loads after the ramp agree with velocity Verlet. The implicit run has one step per sample of
-    0.1 ms, 2000 times as long as Verlet's steps."""
-    assert error(tmp_path, samples=100, after=75, **case) < bound
-
-
-@pytest.mark.parametrize(
-    "bound, case",
-    [(2e-4, dict()), (1e-3, dict(clearance=44.1e-6)), (2e-4, dict(cage_ball=8.4455e-3))],
-)
-def test_loads_by_estimated_errors(tmp_path, bound, case):
-    """Loads also agree with velocity Verlet if errors are estimated instead of bounded, with a
-    tolerance of 0.1 nm."""
-    words = dict(inner=ring("spin speed 50 force 0 -5000 0"), **case)
-    control = "tolerance 1e-10 control estimate"
-    assert error(tmp_path, control, samples=100, after=75, **words) < bound
+def test_loads_against_verlet(tmp_path, bound, control, case):
+    """Loads after the ramp agree with velocity Verlet, with the defaults and with errors estimated
+    to 0.1 nm. The implicit run has one step per sample of 0.1 ms, 2000 times as long as Verlet's
+    steps."""
+    assert error(tmp_path, control, samples=100, after=75, **dict(inner=RADIAL) | case) < bound
 
 
 def test_transient_with_tilts_and_everything_free(tmp_path):
@@ -104,8 +91,8 @@ def test_transient_with_tilts_and_everything_free(tmp_path):
         assert coarse / fine > 1.7
 
 
-@pytest.mark.parametrize("order, steps", [(1, (4e-6, 2e-6, 1e-6)), (2, (4e-6, 2e-6, 1e-6))])
-def test_order(tmp_path, order, steps):
+@pytest.mark.parametrize("order", [1, 2])
+def test_order(tmp_path, order):
     """A load of 3 kN is applied suddenly at 1000 rad/s, where the film is thick and its damper
     soft. The error relative to a run with an eighth of the smallest step decreases at the order of
     the method."""
@@ -116,21 +103,13 @@ def test_order(tmp_path, order, steps):
         samples=40,
         sample=4e-5,
     )
-    succeed(
-        CASE,
-        out=tmp_path / "truth",
-        control=f"order 2 tolerance 1e-6 largest {steps[-1] / 8}",
-        **case,
-    )
-    truth, errors = loads(tmp_path / "truth"), []
-    for h in steps:
-        succeed(
-            CASE,
-            out=tmp_path / "found",
-            control=f"order {order} tolerance 1e-6 largest {h}",
-            **case,
-        )
-        errors.append(np.abs(loads(tmp_path / "found") - truth).max() / truth.max())
+
+    def found(order, step):
+        succeed(CASE, out=tmp_path, control=f"order {order} tolerance 1e-6 largest {step}", **case)
+        return loads(tmp_path)
+
+    truth = found(2, 1e-6 / 8)
+    errors = [np.abs(found(order, h) - truth).max() / truth.max() for h in (4e-6, 2e-6, 1e-6)]
     print(errors)
     for coarse, fine in zip(errors, errors[1:]):
         assert 0.75 * 2**order < coarse / fine < 1.35 * 2**order
@@ -143,7 +122,8 @@ def test_deck_against_statics(tmp_path, rpm):
     vibrate on the contact springs, and a difference of 2 % is allowed."""
     succeed("inputs/in.6208", out=tmp_path, integrator="implicit", passes=1, rpm=rpm)
     bound = 2e-3 if rpm < 1000 else 2e-2
-    for found, theory in closed_forms.ball_loads(RunTables(tmp_path), range(0, 201, 10)):
+    tables = raceway.open(tmp_path).tables
+    for found, theory in closed_forms.ball_loads(tables, range(0, 201, 10)):
         np.testing.assert_allclose(found, theory, rtol=0, atol=bound * theory.max())
 
 
@@ -160,12 +140,7 @@ def test_cold_step_refines_by_itself(tmp_path):
 
 def test_a_step_far_too_large_is_refined_not_wrong(tmp_path):
     """The samples are 2 ms apart, so there are 18 per ball pass."""
-    assert (
-        error(
-            tmp_path, inner=ring("spin speed 50 force 0 -5000 0"), sample=2e-3, samples=20, after=3
-        )
-        < 1e-3
-    )
+    assert error(tmp_path, inner=RADIAL, sample=2e-3, samples=20, after=3) < 1e-3
 
 
 @pytest.mark.parametrize(
@@ -260,6 +235,12 @@ def test_only_dampers_implicit_keeps_a_swing(tmp_path):
     assert swing[0] > 20 and swing[1] == pytest.approx(swing[0], rel=0.05)
 
 
+def results(out, **words):
+    """Run the main deck with the models `full`, and return the results."""
+    succeed("inputs/in.6208", out=out, models="full", **words)
+    return raceway.open(out).summary()
+
+
 FIGURES = ("q_max_N", "h_c_m", "cage_speed_rad_s", "friction_torque_N_m", "capacitance_F")
 
 
@@ -267,18 +248,10 @@ def test_cage_balls_may_be_farther_off(tmp_path):
     """With the models `full`, in which the cage drives the unloaded balls, a tolerance of 1 um
     instead of 1 nm for cage balls makes steps more than twice as long, and the results for the
     bearing change by less than 0.1 %."""
-    found = []
-    for cage in (1e-9, 1e-6):
-        succeed(
-            "inputs/in.6208",
-            out=tmp_path / str(cage),
-            models="full",
-            cage="chain",
-            passes=1,
-            cage_tolerance=cage,
-        )
-        found.append(summary(RunTables(tmp_path / str(cage))))
-    fine, coarse = found
+    words = dict(cage="chain", passes=1)
+    fine, coarse = (
+        results(tmp_path / str(cage), cage_tolerance=cage, **words) for cage in (1e-9, 1e-6)
+    )
     assert coarse["step_s"] > 2 * fine["step_s"]
     for name in ("ring_shift_m", "q_max_N", "cage_speed_rad_s", "friction_torque_N_m", "h_c_m"):
         assert coarse[name] == pytest.approx(fine[name], rel=1e-3), name
@@ -292,10 +265,8 @@ def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
     than 0.1 um."""
     found = {}
     for cage, more in ((1e-7, {}), (1e-6, {}), (1e-10, dict(tolerance=1e-10))):
-        out = tmp_path / str(cage)
-        words = dict(models="full", cage="chain", settle=1, rpm=47.75, **more)
-        succeed("inputs/in.6208", out=out, cage_tolerance=cage, step_control="bound", **words)
-        found[cage] = summary(RunTables(out))
+        words = dict(cage="chain", settle=1, rpm=47.75, step_control="bound", **more)
+        found[cage] = results(tmp_path / str(cage), cage_tolerance=cage, **words)
     assert found[1e-6]["evaluations"] < found[1e-7]["evaluations"]
     for cage in (1e-7, 1e-6):
         for name in FIGURES:
@@ -306,12 +277,9 @@ def test_an_error_may_be_larger_than_corrections(tmp_path):
     """A step may have an error 2.5 times as large as the error that the corrections leave. With the
     models `full`, this saves a sixth of the evaluations at high speed and changes the results by
     less than 0.1 %."""
-    found = []
-    for share in (1, 2.5):
-        out = tmp_path / str(share)
-        succeed("inputs/in.6208", out=out, models="full", rpm=9549, step_error=share)
-        found.append(summary(RunTables(out)))
-    fine, coarse = found
+    fine, coarse = (
+        results(tmp_path / str(share), rpm=9549, step_error=share) for share in (1, 2.5)
+    )
     assert coarse["evaluations"] < 5 / 6 * fine["evaluations"]
     for name in FIGURES:
         assert coarse[name] == pytest.approx(fine[name], rel=1e-3), name
@@ -321,17 +289,12 @@ def test_an_error_may_be_larger_than_corrections(tmp_path):
 def test_estimated_errors_need_fewer_evaluations(tmp_path, rpm):
     """With estimated errors the models `full` require less than 60 % of the evaluations required
     with bounded errors. The results agree within 0.1 % with those for errors bounded by 0.1 nm."""
-    found = {}
-    for control, more in (
-        ("estimate", {}),
-        ("bound", {}),
-        ("bound", dict(tolerance=1e-10, cage_tolerance=1e-10)),
-    ):
-        out = tmp_path / f"{control}{len(more)}"
-        words = dict(models="full", cage="chain", settle=1, rpm=rpm, **more)
-        succeed("inputs/in.6208", out=out, step_control=control, **words)
-        found[control, len(more)] = summary(RunTables(out))
-    ours, bounds, truth = found.values()
+    words = dict(cage="chain", settle=1, rpm=rpm)
+    ours, bounds = (
+        results(tmp_path / one, step_control=one, **words) for one in ("estimate", "bound")
+    )
+    fine = dict(tolerance=1e-10, cage_tolerance=1e-10, step_control="bound")
+    truth = results(tmp_path / "fine", **fine, **words)
     assert ours["evaluations"] < 0.6 * bounds["evaluations"]
     for name in FIGURES:
         assert ours[name] == pytest.approx(truth[name], rel=1e-3), name

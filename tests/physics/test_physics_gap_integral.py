@@ -20,20 +20,28 @@ TINY = dict(
 )
 
 
-@pytest.mark.parametrize("size", [{}, SMALL, TINY], ids=["12.6 mm", "7.9 mm", "4.0 mm"])
+SIZES = pytest.mark.parametrize("size", [{}, SMALL, TINY], ids=["12.6 mm", "7.9 mm", "4.0 mm"])
+
+
+def groove(physics, size, side, conformity):
+    """Return (raceway, ball radius, half-width of the groove, effective radii along and across)."""
+    ball = size.get("ball_radius", BALL)
+    raceway = physics.raceway(**(size | dict(side=side, groove_radius=2 * conformity * ball)))
+    gamma = ball / raceway.data["pitch_radius"]
+    r_x = ball * (1 - gamma if side == INNER else 1 + gamma)
+    r_y = ball * 2 * conformity / (2 * conformity - 1)
+    return raceway, ball, raceway.reach(0.36 * ball)[0], r_x, r_y
+
+
+@SIZES
 @pytest.mark.parametrize("side", [INNER, OUTER])
 @pytest.mark.parametrize("conformity", [0.505, 0.52, 0.54])
 def test_total_over_the_range_of_the_closed_form(physics, size, side, conformity):
     """The total capacitance of plates and surroundings is accurate to 1.5 % for film thicknesses
     from 20 nm to 2 um, with loads of up to 3 kN on a ball of 12.6 mm, and up to the same pressure
     on smaller balls."""
-    ball = size.get("ball_radius", BALL)
-    raceway = physics.raceway(**(size | dict(side=side, groove_radius=2 * conformity * ball)))
+    raceway, ball, edge, r_x, r_y = groove(physics, size, side, conformity)
     derived, modulus = raceway.radial(), 210e9 / 0.91
-    edge = raceway.reach(0.36 * ball)[0]
-    gamma = ball / raceway.data["pitch_radius"]
-    r_x = ball * (1 - gamma if side == INNER else 1 + gamma)
-    r_y = ball * 2 * conformity / (2 * conformity - 1)
     ellipse, widths = hertz.exact(r_x, r_y), HalfWidths(edge, edge)
     for load in np.array([0.1, 30, 900, 3000]) * (ball / BALL) ** 2:
         overlap = (load / derived.K) ** (2 / 3)
@@ -44,16 +52,12 @@ def test_total_over_the_range_of_the_closed_form(physics, size, side, conformity
             assert abs(found - exact) < 0.015 * (np.pi * a * b / h + exact), (load, h)
 
 
-@pytest.mark.parametrize("size", [{}, SMALL, TINY], ids=["12.6 mm", "7.9 mm", "4.0 mm"])
+@SIZES
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_closed_forms_in_40_digits(physics, size, side):
     """Closed-form solutions are accurate for rigid surfaces with a clearance below, at and above
     that of concentric circles, and for loaded contacts with thin to thick films."""
-    ball = size.get("ball_radius", BALL)
-    raceway = physics.raceway(**(size | dict(side=side, groove_radius=1.01 * ball)))
-    edge = raceway.reach(0.36 * ball)[0]
-    gamma = ball / raceway.data["pitch_radius"]
-    r_x, r_y = ball * (1 - gamma if side == INNER else 1 + gamma), ball * 101
+    _, ball, edge, r_x, r_y = groove(physics, size, side, 0.505)
     ellipse, widths = hertz.exact(r_x, r_y), HalfWidths(edge, edge)
     for play in 0.01 * ball * np.array([0.01, 0.3, 0.999, 1.0, 1.001, 1.7]):
         exact = reference.rigid(r_x, r_y, 0.01 * ball, play, play, edge)

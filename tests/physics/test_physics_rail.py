@@ -92,6 +92,15 @@ def curvature_along(rail, angle):
     return 2 * height(y) / y**2
 
 
+def spring(physics, rail, pitch=PITCH):
+    return physics.call("rail_spring", rail=rail, ball=BALL, pitch=pitch, Eprime=MODULUS)
+
+
+def hertz_of(along, across=1 / (1 / BALL + 1 / TUBE)):
+    """Return the stiffness of a contact with these effective radii."""
+    return package.stiffness(package.exact(along, across), MODULUS)
+
+
 @pytest.mark.parametrize("tube", [0.5e-3, 1.0e-3, 3.0e-3])
 def test_stiffness_is_hertz_of_the_true_curvatures(physics, tube):
     rail = seat(physics, tube=tube)
@@ -99,14 +108,11 @@ def test_stiffness_is_hertz_of_the_true_curvatures(physics, tube):
     # negative height means that it curves towards the ball
     along = 1 / BALL + curvature_along(rail, np.pi / 4)
     across = 1 / BALL + 1 / tube
-    expected = package.stiffness(package.exact(1 / along, 1 / across), MODULUS)
     assert 1 / BALL - along == pytest.approx(
         np.cos(np.pi / 4) / (PITCH + BALL * np.cos(np.pi / 4)), rel=2e-5
     )
     # the error of 7e-6 is relative to this curvature, which is a tenth of `along`
-    assert physics.call(
-        "rail_spring", rail=rail, ball=BALL, pitch=PITCH, Eprime=MODULUS
-    ) == pytest.approx(expected, rel=1e-5)
+    assert spring(physics, rail) == pytest.approx(hertz_of(1 / along, 1 / across), rel=1e-5)
 
 
 def test_a_rail_straight_overhead_and_one_at_the_side(physics):
@@ -116,19 +122,11 @@ def test_a_rail_straight_overhead_and_one_at_the_side(physics):
         # above the circle, the parallel has no curvature in this plane
         (dict(circle=PITCH, tube=TUBE, offset=BALL + TUBE), 1 / BALL),
     ):
-        expected = package.stiffness(
-            package.exact(1 / curvature, 1 / (1 / BALL + 1 / TUBE)), MODULUS
-        )
-        assert physics.call(
-            "rail_spring", rail=rail, ball=BALL, pitch=PITCH, Eprime=MODULUS
-        ) == pytest.approx(expected, rel=1e-12)
+        assert spring(physics, rail) == pytest.approx(hertz_of(1 / curvature), rel=1e-12)
 
 
 def test_a_thin_ball_far_out_meets_a_straight_cylinder(physics):
     # in the limit of an infinite ring radius: cylinder and sphere, to order BALL/pitch
     pitch = 1e6 * BALL
     rail = physics.call("rail_seat", pitch=pitch, ball=BALL, tube=TUBE, gap=0.0, sign=1.0)
-    expected = package.stiffness(package.exact(BALL, 1 / (1 / BALL + 1 / TUBE)), MODULUS)
-    assert physics.call(
-        "rail_spring", rail=rail, ball=BALL, pitch=pitch, Eprime=MODULUS
-    ) == pytest.approx(expected, rel=2e-6)
+    assert spring(physics, rail, pitch) == pytest.approx(hertz_of(BALL), rel=2e-6)

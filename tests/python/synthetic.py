@@ -135,6 +135,16 @@ def changed(data, **settings):
     return {**data, "settings": {**data["settings"], **settings}}
 
 
+def shaken(folder, data, time, x, y, spin, **settings):
+    """Write `data` with an inner ring at the arrays `x` and `y` that turns at `spin`, in rad/s, and
+    with some of its settings replaced."""
+    rows = np.zeros((len(time), len(RING_COLUMNS)))
+    rows[:, 0] = 100 * np.arange(1, len(time) + 1)
+    for name, values in dict(time=time, x=x, y=y, spin=spin).items():
+        rows[:, RING_COLUMNS.index(name)] = values
+    return write(folder, dict(changed(data, **settings), rings=rows))
+
+
 def spoil(folder, pattern, replacement):
     """Replace the line of run.yaml that matches `pattern`."""
     path = folder / "run.yaml"

@@ -8,17 +8,6 @@ import pytest
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
 
-def test_effective_radii_are_those_of_ball_and_ring(bearing):
-    ball, groove = bearing.ball_radius, bearing.inner_groove
-    across = 1 / (1 / ball - 1 / groove)
-    assert bearing.effective_radii(INNER) == pytest.approx(
-        (1 / (1 / ball + 1 / 24e-3), across), rel=1e-14
-    )
-    assert bearing.effective_radii(OUTER) == pytest.approx(
-        (1 / (1 / ball - 1 / 36.6e-3), across), rel=1e-14
-    )
-
-
 def test_clearance_opens_the_outer_groove_only(bearing):
     assert bearing.groove_circle(INNER, 40e-6) == bearing.groove_circle(INNER)
     assert bearing.groove_circle(OUTER, 40e-6) - bearing.groove_circle(OUTER) == pytest.approx(

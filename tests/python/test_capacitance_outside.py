@@ -243,6 +243,9 @@ def test_permittivity_of_a_film():
     assert film(2.2, 1.5e9, "mean") == pytest.approx(rings, rel=1e-6)
     with pytest.raises(ValueError, match="permittivity_at 'top' is not one of maximum, mean"):
         film(2.2, 1e9, "top")
+    for ambient in (0.9, 20.0):
+        with pytest.raises(ValueError, match="permittivity"):
+            capacitance.permittivity(ambient, 3e9)
 
 
 @pytest.mark.parametrize("row", [("12.6 mm", 0.505, OUTER), ("3.968 mm", 0.54, OUTER),

@@ -4,20 +4,11 @@
 import numpy as np
 import pytest
 import raceway
-from circuits import MOTOR, PICO, WEAK, steady
+from circuits import MOTOR, PICO, WEAK
 from raceway.electric import circuit
 from raceway.electric.films import of_dataset, of_run
 from raceway.electric.leak import Leak
-from raceway.electric.outer import Source
-from raceway.electric.waveforms import Constant
 from raceway.errors import RunError
-
-
-def test_an_open_film_carries_nothing():
-    given = steady([50 * PICO, 0.0, 0.0], [50 * PICO, 40 * PICO, 0.0])
-    data = circuit.run(given, Source(Constant(4.0))).data
-    np.testing.assert_allclose(data.bearing_capacitance, 25 * PICO, rtol=1e-15)
-    np.testing.assert_allclose(data.ball_voltage[-1], [2.0, 0.0, 0.0], atol=1e-15)
 
 
 def test_a_run(folder):

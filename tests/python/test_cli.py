@@ -61,13 +61,6 @@ def test_unusable_run(folder, capsys, command):
 
 
 @pytest.mark.parametrize(
-    "arguments", [["sumary", "x"], ["summary"], ["plot", "x", "--output", "y"]]
-)
-def test_wrong_command_line(arguments, capsys):
-    assert "usage: raceway" in reply(capsys, arguments, code=2)
-
-
-@pytest.mark.parametrize(
     "arguments, said",
     [
         (["sumary", "x"], "argument COMMAND: there is no 'sumary'; did you mean summary?"),

@@ -21,24 +21,15 @@ SHAFT, SAMPLES = 477.5 / 60, 12000  # Hz
 @pytest.fixture(scope="module")
 def run(tmp_path_factory, lubricated, bearing):
     """Return a run with a ring that has a resonance excited at BPFO."""
-    settings = dict(lubricated["settings"], sample_s=1e-4)
-    passes = SAMPLES // settings["samples_per_pass"]
-    time = settings["sample_s"] * np.arange(1, SAMPLES + 1)
+    sampling = 1e4  # Hz
+    time = np.arange(1, SAMPLES + 1) / sampling
     rate = float(kinematics.frequencies(bearing).outer) * SHAFT
-    sampling = 1 / settings["sample_s"]
     since = (rate * time) % 1 / rate
     shift = 1e-6 * np.exp(-6 * rate * since) * np.sin(2 * np.pi * 0.2 * sampling * since)
-    rings = [
-        [100 * (i + 1), t, 0, -s] + [0.0] * 4 + [2 * np.pi * SHAFT] + [0.0] * 6
-        for i, (t, s) in enumerate(zip(time, 35e-6 + shift))
-    ]
-    settings = dict(settings, passes=passes)
-    return raceway.open(
-        synthetic.write(
-            tmp_path_factory.mktemp("compare") / "run",
-            dict(lubricated, rings=rings, settings=settings),
-        )
-    )
+    passes = SAMPLES // lubricated["settings"]["samples_per_pass"]
+    folder, settings = tmp_path_factory.mktemp("compare") / "run", dict(sample_s=1 / sampling)
+    ring = time, 0, -35e-6 - shift, 2 * np.pi * SHAFT
+    return raceway.open(synthetic.shaken(folder, lubricated, *ring, passes=passes, **settings))
 
 
 def write(tmp_path, run, share=0.5):

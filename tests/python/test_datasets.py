@@ -75,43 +75,6 @@ def test_rings(folder, lubricated):
     )
 
 
-def test_bearing(folder, lubricated):
-    run = raceway.open(folder)
-    bearing, column = run.bearing, {name: i for i, name in enumerate(synthetic.LUBRICATED)}
-    for sample, frame in enumerate(lubricated["contacts"]):
-        one = bearing.isel(time=sample)
-        loads = [[row[column["load"]] for row in frame if row[2] == side] for side in (0, 1)]
-        assert int(one["contacts"]) == len(frame)
-        assert (float(one["load_inner"]), float(one["load_outer"])) == (
-            max(loads[0]),
-            max(loads[1]),
-        )
-        for name, extreme in (("pressure", max), ("h_min", min), ("lambda", min)):
-            assert float(one[name]) == extreme(row[column[name]] for row in frame)
-        for name in ("friction_power", "damping_power"):
-            assert float(one[name]) == pytest.approx(
-                sum(row[column[name]] for row in frame), rel=1e-13
-            )
-        sides = [{row[0]: row[-1] for row in frame if row[2] == side} for side in (0, 1)]
-        both = sides[0].keys() & sides[1].keys()
-        assert int(one["loaded_balls"]) == len(both)
-        assert float(one["capacitance"]) == pytest.approx(
-            sum(1 / (1 / sides[0][ball] + 1 / sides[1][ball]) for ball in both), rel=1e-13
-        )
-
-
-def test_a_sample_without_contacts(tmp_path, lubricated):
-    data = dict(lubricated, contacts=[[], *lubricated["contacts"][1:]])
-    run = raceway.open(synthetic.write(tmp_path / "run", data))
-    first = run.bearing.isel(time=0)
-    assert [
-        float(first[name]) for name in ("contacts", "load_inner", "capacitance", "friction_power")
-    ] == [0] * 4
-    assert np.isnan(first["h_min"])
-    assert float(run.contacts["load"].isel(time=0).sum()) == 0
-    assert run.bearing.sizes["time"] == 49
-
-
 def test_units(folder):
     run = raceway.open(folder)
     for data, names in (

@@ -105,11 +105,7 @@ def test_pictures(folder, capsys, tmp_path, kind):
     [
         (["--load", "5"], 2, "--load is part of the run"),
         (["--measured-impedance", "1", "-90"], 2, "--measured-impedance is part of the run"),
-        (["--kind", "parts"], 2, "--kind and --out must be given together"),
-        (["--c-wr", "1e-12"], 2, "--c-wr and --c-rf must be given together"),
         (["--kind", "reading", "--out", "x.png"], 2, "applies to an operating point, not to a run"),
-        (["--kind", "field", "--out", "x.png"], 2, "give --voltage"),
-        (["--kind", "bode", "--out", "x.png"], 2, "give --resistivity"),
         (["--bearing", "6208"], 1, "6208"),
         (["--bearing", "one"], 2, "--bearing is one, must be a number for a run"),
     ],

@@ -93,20 +93,15 @@ def struck(tmp_path_factory, lubricated, bearing):
     """Return a run whose ring vibrates at a third of the sampling rate. The vibration is excited at
     the ball pass frequency of the inner raceway, with an amplitude that depends on the shaft
     angle."""
-    settings = dict(lubricated["settings"], passes=60, samples_per_pass=96)
-    step, shaft = settings["sample_s"] / 4, 477.5 / 60
-    settings["sample_s"] = step
+    step, shaft = lubricated["settings"]["sample_s"] / 4, 477.5 / 60
     order = kinematics.frequencies(bearing).inner
     time = np.arange(1, 60 * 96 + 1) * step
     phase = (time * shaft * order) % 1 / (shaft * order)  # s since the last impact
     loud = 1 + 0.5 * np.cos(2 * np.pi * shaft * time)
     ring = 1e-7 * loud * np.exp(-phase / (8 * step)) * np.sin(2 * np.pi * phase / (3 * step))
-    rows = [
-        [100 * (k + 1), t, 0, -35e-6 - x] + [0.0] * 4 + [50.0] + [0.0] * 6
-        for k, (t, x) in enumerate(zip(time, ring))
-    ]
     folder = tmp_path_factory.mktemp("struck") / "run"
-    return synthetic.write(folder, dict(lubricated, rings=rows, settings=settings))
+    settings = dict(passes=60, samples_per_pass=96, sample_s=step)
+    return synthetic.shaken(folder, lubricated, time, 0, -35e-6 - ring, 50.0, **settings)
 
 
 def test_of_a_run(struck):

@@ -4,11 +4,10 @@ limits and finite slopes."""
 
 import numpy as np
 import pytest
-from raceway import film, film_factors, film_gap, film_regimes, hertz, rolling, rough_film
+from raceway import film, film_factors, film_regimes, hertz, rolling, rough_film
 from raceway.theory.bearing import INNER
 from references import friction as friction_reference
 from scipy import stats
-from scipy.integrate import quad
 
 OIL = (0.04, 22e-9)
 SPEEDS = np.array([0.7248, 2.899, 14.4946])
@@ -20,11 +19,6 @@ def inner(bearing):
     r_x, r_y = bearing.effective_radii(INNER)
     ellipse, modulus = hertz.exact(r_x, r_y), bearing.effective_modulus
     return modulus, r_x, r_y, ellipse.kappa, hertz.stiffness(ellipse, modulus)
-
-
-def uncut(inner, speed):
-    modulus, r_x, _, kappa, _ = inner
-    return film_gap.power_law(*OIL, modulus, r_x, kappa, speed, cut=0.0)
 
 
 # ---- factors -----------------------------------------------------------------------------------
@@ -89,31 +83,3 @@ def test_all_regimes_near_the_power_law_at_load(inner):
 
 def test_load_exponent(inner):
     assert film.load_exponent(inner[3]) == pytest.approx(0.067322, abs=5e-7)
-
-
-def laws(inner, speed):
-    modulus, r_x, r_y, kappa, _ = inner
-    return {
-        "power law": film_gap.power_law(*OIL, modulus, r_x, kappa, speed),
-        "uncut": uncut(inner, speed),
-        "all regimes": film_gap.all_regimes(*OIL, modulus, r_x, r_y, speed),
-    }
-
-
-def test_no_film_at_rest(inner):
-    for law in laws(inner, 0.0).values():
-        found = film_gap.solve(np.array([17e-6, 0.0, -1e-6]), inner[4], law)
-        assert found.load == pytest.approx([hertz.load(inner[4], 17e-6), 0.0, 0.0], rel=1e-13)
-        assert found.h_c[0] == 0
-
-
-def test_energy_is_the_work(inner):
-    law, stiffness = uncut(inner, 14.4946), inner[4]
-    exponent = film.load_exponent(inner[3])
-
-    def at(overlap):
-        return film_gap.energy(film_gap.solve(overlap, stiffness, law), exponent)
-
-    ends = -1e-6, 17e-6
-    work = quad(lambda d: float(film_gap.solve(d, stiffness, law).load), *ends, epsrel=1e-10)[0]
-    assert at(ends[1]) - at(ends[0]) == pytest.approx(work, rel=1e-8)

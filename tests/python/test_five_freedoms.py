@@ -349,7 +349,11 @@ def test_pure_rolling_speed(bearing):
     "arguments, said",
     [
         (dict(moment=(float("nan"), 0)), "finite"),
+        (dict(radial_load=float("nan")), "finite"),
+        (dict(clearance=1e-5), "without a load"),
         (dict(moment=(0, 0), clearance=1e-5), "without a load"),
+        (dict(radial_load=1e7), "groove|no place"),
+        (dict(axial_load=1e7), "groove|no place"),
         (dict(moment=(0, 5e4)), "groove|no place"),
         (dict(held={"x": 1e-6, "rx": 0, "ry": 0}, clearance=1e-4), "no ball carries"),
     ],

@@ -118,11 +118,6 @@ def test_spin_shears_the_film():
     assert losses.spin[:, 0].sum() == pytest.approx((stress * arm * area).sum() * rate, rel=0.02)
 
 
-def test_radial_load_has_no_spin(bearing):
-    _, losses, _ = found(bearing, 477.5)
-    assert np.all(losses.spin == 0)
-
-
 def test_reversed_and_hot(bearing):
     _, losses, _ = found(bearing, 477.5)
     _, back, _ = found(bearing, -477.5)

@@ -4,7 +4,6 @@
 import numpy as np
 import pytest
 import synthetic
-from commands import reply
 from raceway.pictures import motion as plot
 from raceway.pictures.page import title
 from raceway.runs.tables import RunTables
@@ -25,11 +24,6 @@ def test_panels(folder, lubricated, tmp_path, panels):
     assert torque.lines[0].get_ydata() / np.abs(torque.lines[0].get_ydata()).max() == pytest.approx(
         -rings[:, 14] / largest
     )
-
-
-def test_command(folder, capsys):
-    assert "motion.png" in reply(capsys, ["plot", folder, "--kind", "motion"])
-    assert (folder / "motion.png").exists()
 
 
 @pytest.mark.parametrize(

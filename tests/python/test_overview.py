@@ -5,7 +5,7 @@ import matplotlib.image
 import numpy as np
 import pytest
 import synthetic
-from raceway.errors import RunError, RunWarning
+from raceway.errors import RunWarning
 from raceway.pictures import overview as plot
 from raceway.pictures import part
 from raceway.runs.tables import RunTables
@@ -80,8 +80,3 @@ def test_large_run_is_drawn_in_part(folder, tmp_path, panels, monkeypatch):
         plot.overview(RunTables(folder), tmp_path / "part.png")
     axes = panels()["Capacitance of the contact ellipses"]
     assert drawn(axes, plot.INK)[:, 0] == pytest.approx(np.arange(24) / 24)
-
-
-def test_cannot_write(folder, tmp_path):
-    with pytest.raises(RunError, match="cannot write .*No such file"):
-        plot.overview(RunTables(folder), tmp_path / "no" / "where.png")

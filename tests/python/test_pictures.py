@@ -42,7 +42,7 @@ def test_polar_has_no_theory_for_an_unknown_load(folder):
     assert polar.theory(run) == {}
 
 
-@pytest.mark.parametrize("kind", ["polar", "waterfall", "bearing"])
+@pytest.mark.parametrize("kind", ["polar", "waterfall", "bearing", "motion"])
 def test_kinds(folder, capsys, kind):
     assert main(["plot", str(folder), "--kind", kind]) == 0
     path = folder / f"{kind}.png"

@@ -54,30 +54,3 @@ def test_the_change_between_two_ball_passes_is_taken_to_remain(drift):
         axis = getattr(found, kind + "spin_axis")
         assert axis == pytest.approx(2 * np.sin(0.005), rel=1e-9)
     assert found.cage_orbit == pytest.approx(0.5 * abs(drift), rel=1e-9)  # not relative
-
-
-@pytest.mark.parametrize("passes", [4, 7])
-@pytest.mark.parametrize("ratio", [0.5, 0.65])
-def test_a_decay_has_its_rest(passes, ratio):
-    words = scene(passes)
-    excess = 0.1 * ratio ** np.arange(passes)
-    words["torque"] = np.repeat(1 + excess, words["samples"])
-    found = library().call("settling", **words)
-    assert found.remaining_torque == pytest.approx(excess[-1] / (1 + excess[-1]), rel=1e-6)
-    last = (excess[-2] - excess[-1]) / (1 + excess[-1])
-    assert found.torque == pytest.approx(last, rel=1e-6)
-
-
-@pytest.mark.parametrize("passes", [3, 4])
-def test_a_drift_is_taken_to_continue_for_some_ball_passes(passes):
-    """From two or three steps, a decay to 1/2 or 2/3 is the slowest that can be distinguished."""
-    words = scene(passes)
-    words["torque"] = np.repeat(1 + 1e-3 * np.arange(passes), words["samples"])
-    found = library().call("settling", **words)
-    last = 1 + 1e-3 * (passes - 1)
-    assert found.torque == pytest.approx(1e-3 / last, rel=1e-6)
-    assert found.remaining_torque == pytest.approx((passes - 2) * 1e-3 / last, rel=1e-6)
-
-
-def test_one_ball_pass_does_not_say():
-    assert np.isinf(library().call("settling", **scene(passes=1)).torque)

@@ -5,7 +5,6 @@ solutions, and with independently written equations of equilibrium."""
 import numpy as np
 import pytest
 from raceway import clearance, hertz
-from raceway.errors import NoEquilibrium
 from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.static import equilibrium
 from scipy.optimize import brentq
@@ -104,17 +103,3 @@ def test_circle_keeps_its_shape_under_a_finite_shift(bearing):
 def test_ring_on_one_ball_rolls_off(bearing):
     loaded = equilibrium(bearing, 1.0, clearance=150e-6, finite_shift=True).inner.load > 0
     assert loaded.sum() == 2
-
-
-@pytest.mark.parametrize(
-    "arguments, said",
-    [
-        ({"radial_load": 0.0, "clearance": 1e-5}, "without a load"),
-        ({"radial_load": float("nan")}, "finite"),
-        ({"radial_load": 1e7}, "groove|no place"),
-        ({"radial_load": 0.0, "axial_load": 1e7}, "groove|no place"),
-    ],
-)
-def test_no_equilibrium(bearing, arguments, said):
-    with pytest.raises(NoEquilibrium, match=said):
-        equilibrium(bearing, **arguments)

@@ -125,14 +125,6 @@ def test_a_ring_held_without_load_has_no_life(capsys, words):
 
 def test_table(capsys):
     text = reply(capsys, ["static", *FULL])
-    for said in (
-        "radial load                               2 kN",
-        "tilt about y",
-        "(contact ellipses, eq 12)",
-        "Balls",
-        "lambda in.",
-    ):
-        assert said in text
     balls = text.split("\nBalls\n")[1].split("\n\n")[0].splitlines()
     # a heading and nine balls, aligned in columns
     assert len(balls) == 10 and len({len(line) for line in balls}) == 1
@@ -240,10 +232,6 @@ def test_wrong_command_line(capsys, arguments, said):
     assert said in reply(capsys, ["static", *arguments], code=2)
 
 
-def test_help_teaches(capsys):
-    assert "raceway static --load 5000" in reply(capsys, "static --help")
-
-
 def test_full_models(capsys):
     common = ("--load", "5000", "--rpm", "1910", "--lubricant", "vg46", "--temperature", "70")
     paper, full = figures(capsys, *common, "--models", "paper"), figures(capsys, *common)
@@ -274,11 +262,7 @@ def test_full_models(capsys):
     assert set(four["absent"]) == {"torque_skf_N_m", "torque_palmgren_N_m"}
 
 
-def test_temperature_needs_a_lubricant_that_has_it(capsys):
+def test_temperature_needs_a_lubricant(capsys):
     assert "--temperature applies to the lubricant; give --lubricant" in reply(
         capsys, "static --load 1 --temperature 70", code=2
-    )
-    arguments = ["static", "--load", "1", "--rpm", "9", "--temperature", "70"]
-    assert "mineral has values for 40 C only, not for 70 C" in reply(
-        capsys, [*arguments, "--lubricant", "mineral"], code=1
     )

@@ -64,17 +64,12 @@ def test_a_shaft_that_turns_back():
 def run_up(tmp_path_factory, lubricated):
     """Return a run whose ring moves sideways ORDER times per revolution while the shaft speed
     doubles."""
-    settings = dict(lubricated["settings"], sample_s=SAMPLE, rpm=900.0)
-    settings.update(passes=100, samples_per_pass=200)
+    settings = dict(sample_s=SAMPLE, rpm=900.0, passes=100, samples_per_pass=200)
     time = np.arange(1, 20001) * SAMPLE
     spin = 2 * np.pi * (10 + 5 * time)
     angle = 2 * np.pi * (10 * time + 2.5 * time**2)
-    rows = [
-        [100 * (k + 1), t, x, -35e-6] + [0.0] * 4 + [w] + [0.0] * 6
-        for k, (t, x, w) in enumerate(zip(time, HEIGHT * np.cos(ORDER * angle), spin))
-    ]
-    folder = tmp_path_factory.mktemp("run_up") / "run"
-    return synthetic.write(folder, dict(lubricated, rings=rows, settings=settings))
+    folder, x = tmp_path_factory.mktemp("run_up") / "run", HEIGHT * np.cos(ORDER * angle)
+    return synthetic.shaken(folder, lubricated, time, x, -35e-6, spin, **settings)
 
 
 def test_orders_of_a_run_up(run_up):

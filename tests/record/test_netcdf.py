@@ -1,24 +1,18 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tests of the netCDF writer: all readers agree, also while a file grows, after the writer has been
-killed and after truncation."""
+"""Tests of the netCDF writer: its files can be read, also while they grow and after truncation.
+test_live.py tests them with other readers and after the writer has been killed."""
 
 import ctypes
 import os
 import re
-import signal
 import subprocess
-import sys
-import textwrap
-import time
 from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray as xr
-from scipy.io import netcdf_file
 
 HERE = Path(__file__).resolve().parent
-DIMENSIONS = {"raceway": 2, "ball": 3, "letters": 5}
 
 
 @pytest.fixture(scope="module")
@@ -92,37 +86,6 @@ def test_xarray(library, path):
     assert data["ball"].values.tolist() == [4, 5, 70000]
     assert float(data["pitch"]) == 0.0303 and data["pitch"].attrs == {"units": "m"}
     assert data["x"].dims == ("time", "raceway", "ball")
-
-
-@pytest.mark.parametrize("mapped", [False, True])
-def test_scipy(library, path, mapped):
-    writer = Writer(library, path)
-    writer.write(0, 9)
-    writer.leave()
-    with netcdf_file(path, mmap=mapped) as data:
-        assert data.version_byte == 2
-        lengths = dict(data.dimensions)
-        assert lengths.pop("time") is None and lengths == DIMENSIONS
-        for name, wanted in zip(("time", "x", "load"), expected(9)):
-            found = data.variables[name][:].copy()
-            assert np.array_equal(found, wanted, equal_nan=True)
-
-
-def test_libnetcdf(library, path):
-    """The reference implementation, used through netCDF4, reads the file."""
-    import netCDF4  # slow to import
-
-    writer = Writer(library, path)
-    writer.write(0, 9)
-    writer.finish()
-    writer.leave()
-    with netCDF4.Dataset(path) as data:
-        assert data.data_model == "NETCDF3_64BIT_OFFSET"
-        assert {name: len(d) for name, d in data.dimensions.items()} == {"time": 9, **DIMENSIONS}
-        assert int(data["finished"][...]) == 1
-        for name, wanted in zip(("time", "x", "load"), expected(9)):
-            found = np.ma.filled(data[name][:], np.nan)
-            assert np.array_equal(found, wanted, equal_nan=True)
 
 
 def test_growing(library, path):
@@ -220,44 +183,3 @@ def test_no_room(library):
     writer = Writer(library, "/dev/full")
     assert "No space left" in writer.complaint or "Invalid argument" in writer.complaint
     writer.leave()
-
-
-def test_killed(library, path):
-    """A process killed at any time leaves a readable file, and 30 readers of the growing file see
-    only complete records."""
-    script = textwrap.dedent(f"""
-        import sys
-        sys.path.insert(0, {str(HERE)!r})
-        from test_netcdf import Writer
-        writer = Writer({str(library)!r}, {str(path)!r}, batch=16)
-        k = 0
-        while True:
-            writer.write_record(k)
-            k += 1
-    """)
-    for delay in (0.3, 0.45, 0.61):
-        path.unlink(missing_ok=True)
-        process = subprocess.Popen([sys.executable, "-c", script])
-        try:
-            while not path.exists() or path.stat().st_size < 100_000:
-                assert process.poll() is None
-                time.sleep(0.01)
-            end = time.monotonic() + delay
-            while time.monotonic() < end:
-                with xr.open_dataset(path, engine="scipy") as data:
-                    n = data.sizes["time"]
-                holds_a_few(path, n)
-        finally:
-            process.send_signal(signal.SIGKILL)
-            process.wait()
-        with xr.open_dataset(path, engine="scipy") as data:
-            n = data.sizes["time"]
-        assert n > 0
-        holds_a_few(path, n)
-
-
-def holds_a_few(path, n):
-    with xr.open_dataset(path, engine="scipy") as data:
-        data = data.isel(time=slice(0, n))
-        assert np.array_equal(data["time"], np.arange(n) / 8.0)
-        assert np.array_equal(data["load"][:, 2], (np.arange(n) + 2 / 3.0).astype(np.float32))

@@ -2,14 +2,11 @@
 """Tests of raceway.open on records of real runs: the main deck, and a deck with one additional
 line."""
 
-import re
-
 import numpy as np
 import pytest
 import raceway
 import xarray as xr
 from host import succeed
-from raceway.cli import main as command
 from raceway.errors import RunError
 from raceway.runs.record import Record
 from recorded_runs import MAIN, small
@@ -76,26 +73,6 @@ def test_samples_here_and_there(main_run, name):
         np.testing.assert_array_equal(record.pick(name, (time, *rest)), values[time])
     with pytest.raises(IndexError):
         record.pick(name, (len(values), *rest))
-
-
-@pytest.mark.parametrize(
-    "words",
-    [
-        ["summary"],
-        ["summary", "--json"],
-        ["plot", "--out", "OUT.png"],
-        ["plot", "--kind", "polar", "--out", "OUT.png"],
-        ["animate", "--frames", "3", "--passes", "0.2", "--out", "OUT.gif"],
-        ["export", "--format", "vtk", "--out", "OUT"],
-        ["spectrum", "--signal", "y", "--out", "OUT.png"],
-    ],
-)
-def test_commands_on_one_line(one_line, words, tmp_path, capsys):
-    name, *more = words
-    command([name, str(one_line), *(word.replace("OUT", str(tmp_path / "out")) for word in more)])
-    made = list(tmp_path.iterdir())
-    assert name == "summary" or (made and all(path.stat().st_size for path in made))
-    assert name != "summary" or re.search(r"2\.4\d+ kN|: 240\d\.", capsys.readouterr().out)
 
 
 def test_what_nobody_told(one_line):

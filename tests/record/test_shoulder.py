@@ -5,8 +5,6 @@ bearing file contains shoulder diameters."""
 import pytest
 import raceway
 from host import succeed
-from raceway.runs.summary import summary
-from raceway.runs.tables import RunTables
 
 CASES = {
     "far up the groove": ({"axial": 20000}, True),
@@ -30,7 +28,7 @@ def test_shoulder(variables, warned, tmp_path):
         samples=20,
         **variables,
     )
-    warnings = [text for text in summary(RunTables(tmp_path))["warnings"] if "shoulder" in text]
+    warnings = [text for text in raceway.open(tmp_path).summary()["warnings"] if "shoulder" in text]
     assert bool(warnings) == warned
     contacts = raceway.open(tmp_path).contacts
     if warned:  # the warning uses the largest angle and the longest ellipse of all samples

@@ -4,21 +4,7 @@ independently of the C++ code."""
 
 import numpy as np
 from raceway import hertz, kinematics, static
-from raceway.theory.bearing import INNER, OUTER, Bearing
-
-
-def bearing_of(settings):
-    """Return the bearing that a run with these settings simulates."""
-    return Bearing(
-        int(settings["balls"]),
-        settings["ball_diameter_m"],
-        settings["inner_radius_m"],
-        settings["outer_radius_m"],
-        settings["inner_groove_m"],
-        settings["outer_groove_m"],
-        young=float(settings["ball_young_Pa"]),
-        poisson=float(settings["ball_poisson"]),
-    )
+from raceway.theory.bearing import INNER, OUTER
 
 
 def shaft_speed(settings):
@@ -31,9 +17,9 @@ def equilibrium(run, sample, film=None):
     `FilmInGap`, is given, the equilibrium includes the film in the gap."""
     settings, balls = run.settings, run.balls
     now = balls[(balls["sample"] == sample) & (balls["type"] == 1)].sort_values("id")
-    orbit = kinematics.frequencies(bearing_of(settings)).cage * shaft_speed(settings)
+    orbit = kinematics.frequencies(run.geometry).cage * shaft_speed(settings)
     return static.equilibrium(
-        bearing_of(settings),
+        run.geometry,
         settings["load_N"],
         clearance=settings["clearance_m"],
         load_azimuth=settings["load_azimuth_rad"],
@@ -76,16 +62,16 @@ def static_largest_load(run, _):
 
 def cage_speed(run, _):
     """Return the kinematic cage speed in rad/s."""
-    return kinematics.frequencies(bearing_of(run.settings)).cage * shaft_speed(run.settings)
+    return kinematics.frequencies(run.geometry).cage * shaft_speed(run.settings)
 
 
 def entrainment(run, _):
     """Return the kinematic entrainment speed in m/s."""
-    return kinematics.entrainment(bearing_of(run.settings), shaft_speed(run.settings))
+    return kinematics.entrainment(run.geometry, shaft_speed(run.settings))
 
 
 def _pressure(run, side, load):
-    bearing = bearing_of(run.settings)
+    bearing = run.geometry
     ellipse = hertz.exact(*bearing.effective_radii(side, 0.0, run.settings["clearance_m"]))
     return hertz.pressure(ellipse, bearing.effective_modulus, load)
 

@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import raceway
-from host import ROOT, deck_file, run
+from host import ROOT, columns, deck_file, run
 from raceway.electric import circuit
 from raceway.electric.breakdown import Breakdown
 from raceway.electric.leak import Leak
@@ -112,9 +112,7 @@ def pair(request, tmp_path_factory):
     rows = dict(zip(NAMES, np.loadtxt(folder / "circuit.txt").T))
     events = pd.DataFrame()
     if breakdown:
-        with open(folder / "events.txt") as file:
-            names = file.readline().lstrip("# ").split()
-        events = pd.DataFrame(np.loadtxt(folder / "events.txt", ndmin=2), columns=names)
+        events = pd.DataFrame(columns(folder / "events.txt"))
     stray = {"leaking source": 1e-12, "floating": 2e-12}.get(request.param, 0.0)
     found = circuit.run(
         raceway.open(folder / "rec"), outer, breakdown, leak, points=points, stray=stray

@@ -6,7 +6,7 @@ record of the same run (T11)."""
 import numpy as np
 import pytest
 import raceway
-from host import refuses, succeed
+from host import columns, refuses, succeed
 from raceway import film_figures, impedance, whole_capacitance
 from raceway.theory.capacitance import VACUUM
 from raceway.theory.electric_point import Ask
@@ -28,10 +28,7 @@ def measured(folder, words, record=True, samples=60):
         + (f"fix rec all bearing/record 1 {folder}/rec contacts all\n" if record else "")
     )
     succeed(CASE, out=folder, more=folder / "more", inner=SPIN, samples=samples, clearance=2e-5)
-    with open(folder / "totals.txt") as file:
-        names = file.readline().lstrip("# ").split()
-    rows = dict(zip(names, np.loadtxt(folder / "totals.txt").T, strict=True))
-    return rows, raceway.open(folder / "rec") if record else None
+    return columns(folder / "totals.txt"), raceway.open(folder / "rec") if record else None
 
 
 @pytest.fixture(scope="module")

@@ -5,8 +5,6 @@ import numpy as np
 import pytest
 import raceway
 from host import ROOT, succeed
-from raceway.runs.summary import summary
-from raceway.runs.tables import RunTables
 from raceway.theory import skidding, steady_heat
 
 OIL = {"rpm": 9549, "lubricant": "vg46", "temperature": 94.5}
@@ -35,7 +33,7 @@ def found(tmp_path_factory):
         for name, words in ((models, {}), (f"free {models}", PUSHED)):
             folder = tmp_path_factory.mktemp("run")
             succeed("inputs/in.6208", out=folder, models=models, **OIL, **words)
-            result[name] = summary(RunTables(folder))["losses_W"]["slip"]
+            result[name] = raceway.open(folder).summary()["losses_W"]["slip"]
     return result
 
 

@@ -1,16 +1,27 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """fix bearing/shaft flexible: a flexible shaft on two 6208s agrees with a beam in which all nodes
-are retained, and a stiff one with a rigid shaft."""
+are retained, and a stiff one with a rigid shaft; energy is balanced, and accelerations are
+derivatives of velocities."""
 
 import numpy as np
 import pytest
 import raceway
 from bearings import B6208
-from flexible_shaft import LOADED, PRELOAD, SECTIONS, beam_of, modes_file, node, reduced
+from flexible_shaft import (
+    ACROSS,
+    HELD,
+    LOADED,
+    PRELOAD,
+    SECTIONS,
+    beam_of,
+    modes_file,
+    node,
+    reduced,
+)
 from host import succeed
 from raceway import beam, beam_motion, bending_file, shaft, static
 from raceway.theory.beam import Steel
-from shaft_runs import TILTING, frequencies_of, swing
+from shaft_runs import ENERGY, TILTING, WITHIN, frequencies_of, rings_follow, swing
 
 
 @pytest.fixture(scope="module")
@@ -173,3 +184,23 @@ def test_stiff_is_rigid(tmp_path):
     for key in ("x", "y", "z", "rx", "ry", "f1y", "f2y", "m1x", "a2y", "x1", "y2"):
         one, other = ends[0][key], ends[1][key]
         assert np.abs(one - other).max() < 1e-4 * np.abs(other).max(), key
+
+
+def test_energy(tmp_path, damped):
+    """The work of the loads equals the dissipated heat plus the energy of motion, springs, supports
+    and bending."""
+    _, energy = swing(
+        tmp_path,
+        **ENERGY,
+        freedoms=f"{TILTING} 200 z free",
+        words=f"flexible {damped} {LOADED} {HELD}",
+    )
+    assert energy["work"] > 1e-3 and energy["dissipated"] > 0.0
+    assert abs(energy["lost"]) < 1e-3 * energy["work"]
+
+
+def test_within_a_step(tmp_path, damped):
+    """In samples within long steps, the accelerations of the rings are the derivatives of their
+    velocities."""
+    swing(tmp_path, **WITHIN, words=f"flexible {damped} {LOADED} {ACROSS}", clearance=PRELOAD)
+    rings_follow(tmp_path)

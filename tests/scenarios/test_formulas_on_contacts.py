@@ -9,8 +9,6 @@ from raceway import capacitance, damping, film, hertz
 from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
 
-from scenarios import closed_forms
-
 
 @pytest.fixture(scope="module", params=["radial", "printed", "preload", "play"])
 def run(request, tmp_path_factory):
@@ -37,7 +35,7 @@ def run(request, tmp_path_factory):
 def test_contacts(run, side):
     """Columns and formulas agree within a relative error of 1e-9."""
     settings = run.settings
-    bearing = closed_forms.bearing_of(settings)
+    bearing = run.geometry
     rows = run.contacts
     rows = rows[(rows["raceway"] == side) & (rows["load"] > 0)]
     assert len(rows) > 200

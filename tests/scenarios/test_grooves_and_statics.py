@@ -5,10 +5,9 @@ unloaded balls. Both runs and statics compute spin with slices."""
 
 import numpy as np
 import pytest
+import raceway
 from host import ROOT, frames, succeed
 from raceway import catalogue, contact_friction, friction_torque, inputs, lubrication, steady_heat
-from raceway.runs.summary import summary
-from raceway.runs.tables import RunTables
 from raceway.theory.bearing import DoubleRow
 from raceway.theory.cage_drag import CageRing
 from raceway.theory.contact_law import FilmInGap
@@ -41,7 +40,7 @@ def four_point(folder, **words):
     """Return the summary of a run of the main deck under a thrust with four-point contact."""
     common = {"load": 0.001, "four_point": 35, "passes": 1, "spin_law": "slices", "models": "full"}
     succeed("inputs/in.6208", out=folder, **OIL, **common, **words)
-    return summary(RunTables(folder))
+    return raceway.open(folder).summary()
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -62,7 +61,7 @@ def test_unloaded_balls(tmp_path, rpm):
     the cage slip would increase the sliding loss by 1 %."""
     point = {"load": 5000.0, "rpm": rpm, "lubricant": "mineral"}
     succeed("inputs/in.6208", out=tmp_path, models="full", cage="chain", passes=1, **point)
-    run, (torque, parts) = summary(RunTables(tmp_path)), over_a_pass(**point, cage=None)
+    run, (torque, parts) = raceway.open(tmp_path).summary(), over_a_pass(**point, cage=None)
     assert run["friction_torque_N_m"] == pytest.approx(torque, rel=5e-3)
     for part in ("rolling", "slip", "hysteresis", "drag"):
         assert run["losses_W"][part] == pytest.approx(parts[part], rel=1e-2), part
@@ -72,7 +71,7 @@ def test_unloaded_balls_of_four_points(tmp_path):
     point = {"load": 2000.0, "rpm": 1910.0, "lubricant": "vg46"}
     words = {"four_point": 35, "passes": 1, "models": "full", **LAWS}
     succeed("inputs/in.6208", out=tmp_path, **words, **point)
-    run, (torque, parts) = summary(RunTables(tmp_path)), over_a_pass(**point, **LAWS, **FOUR)
+    run, (torque, parts) = raceway.open(tmp_path).summary(), over_a_pass(**point, **LAWS, **FOUR)
     assert run["friction_torque_N_m"] == pytest.approx(torque, rel=1e-2)
     for part in ("spin", "hysteresis"):
         assert run["losses_W"][part] == pytest.approx(parts[part], rel=1e-2), part

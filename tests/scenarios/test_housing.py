@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from host import ROOT, deck_file, refuses, succeed
+from host import ROOT, columns, deck_file, refuses, succeed
 from scipy.linalg import expm
 
 DECK = "tests/scenarios/in.housing"
@@ -38,16 +38,11 @@ def swing(t, load, inertia, held, ground):
     return np.array(path).T
 
 
-def columns(folder):
-    names = (folder / "ring.dat").read_text().splitlines()[0].split()[1:]
-    return dict(zip(names, np.loadtxt(folder / "ring.dat").T))
-
-
 @pytest.fixture(scope="module", params=MOVERS)
 def run(request, tmp_path_factory):
     folder = tmp_path_factory.mktemp("housing")
     succeed(DECK, out=folder, **MOVERS[request.param])
-    return columns(folder)
+    return columns(folder / "ring.dat")
 
 
 def test_free_decay(run):
@@ -110,7 +105,7 @@ def test_a_driven_housing_carries_the_ring(tmp_path):
     text = re.sub(r"\$\{base\} &\n.*\n", base + "\n", text).replace("moment 2 -1 0", "moment 0 0 0")
     deck.write_text("variable shake equal 1.0e-6*sin(1.0e4*1.0e-6*step)\n" + text)
     done = succeed(deck, out=tmp_path / "out").text
-    data = columns(tmp_path / "out")
+    data = columns(tmp_path / "out/ring.dat")
     t, free = data["step"] * 1e-6, np.sqrt(2e8)
     # bound for the undamped case, in which the transient may be as large as the response
     assert 0.5e-6 < np.abs(data["x"]).max() < 1e-6 * (1 + 1e4 / free) / (1 - 1e8 / free**2)

@@ -15,16 +15,13 @@ from raceway import shaft, static
 from raceway.theory.beam import Section, Steel
 from raceway.theory.bearing import DoubleRow
 from shaft_runs import (
-    BITS,
     DECK,
     ENERGY,
     TILTING,
     WITHIN,
-    data_of,
     frequencies_of,
     numbers_of,
     rings_follow,
-    rows_of,
     small,
     small_deck,
     swing,
@@ -271,63 +268,6 @@ def test_within_a_step(tmp_path):
     apart = ring["x"][:, 1] - ring["x"][:, 0]
     assert apart == pytest.approx(0.2 * ring["tilt_2"][:, 0], rel=0, abs=1e-12)
     assert np.abs(apart).max() > 1e-6
-
-
-# ---- bitwise identical results
-FULL = {**BITS, "words": LOADED}
-LENGTH = {"implicit": 60, "verlet": 1500}
-
-
-@pytest.fixture(scope="module", params=MOVERS)
-def whole(request, tmp_path_factory):
-    """Return (mover, folder) of a run on a single rank."""
-    folder = tmp_path_factory.mktemp(request.param)
-    steps = LENGTH[request.param]
-    succeed(DECK, out=folder, **FULL, **MOVERS[request.param], steps=steps, every=steps // 6)
-    return request.param, folder
-
-
-def test_scene_is_worth_comparing(whole):
-    last = {key: value[-1] for key, value in data_of(whole[1]).items()}
-    assert last["f1y"] > 100 and last["f2y"] > 1000 and abs(last["rx"]) > 1e-6
-    assert abs(last["z"]) > 1e-7 and last["angle"] > 0.2
-
-
-@pytest.mark.parametrize(
-    "host, ranks", [("liggghts", 2), ("liggghts", 4), ("lammps", 1), ("lammps", 2)]
-)
-def test_same_bits(whole, host, ranks, tmp_path):
-    mover, one = whole
-    steps = LENGTH[mover]
-    succeed(
-        DECK,
-        host=host,
-        ranks=ranks,
-        out=tmp_path,
-        **FULL,
-        **MOVERS[mover],
-        steps=steps,
-        every=steps // 6,
-    )
-    assert rows_of(tmp_path)[-6:] == rows_of(one)[-6:]
-
-
-def test_restart(whole, tmp_path):
-    mover, one = whole
-    steps = LENGTH[mover]
-    extra = {**FULL, **MOVERS[mover], "every": steps // 6}
-    succeed(DECK, out=tmp_path / "first", **extra, steps=steps // 2, keep=steps // 2)
-    file = tmp_path / "first" / f"restart.{steps // 2}"
-    succeed(
-        DECK,
-        ranks=2,
-        out=tmp_path / "second",
-        begin="resume",
-        **{"from": file},
-        **extra,
-        steps=steps - steps // 2,
-    )
-    assert rows_of(tmp_path / "second")[-3:] == rows_of(one)[-3:]
 
 
 # ---- another axis, gravity, invalid input

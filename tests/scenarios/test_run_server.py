@@ -11,8 +11,7 @@ import pytest
 from host import ENVIRONMENT, ROOT, run
 from raceway.runs.tables import RunTables
 from raceway.sweeps import host_run, run_server
-
-from scenarios.test_run_bearing import differ
+from recorded_runs import differ
 
 PROGRAM = str(ROOT / "build" / "liggghts")
 QUICK = {"models": "paper", "settle": "1", "passes": "1", "samples": "20"}

@@ -10,11 +10,10 @@ value.
 
 import numpy as np
 import pytest
+import raceway
 import xarray
 from host import ROOT, succeed
 from raceway import inputs
-from raceway.runs.summary import summary
-from raceway.runs.tables import RunTables
 from raceway.theory import contact_friction, friction_torque, static
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import lubricate, turning
@@ -85,7 +84,7 @@ def test_a_run_whose_ring_is_held_along_its_axis(tmp_path):
 
     def warnings(axial):
         succeed("inputs/in.6208", out=tmp_path / str(axial), axial=axial, samples=20, **words)
-        found = summary(RunTables(tmp_path / str(axial)))
+        found = raceway.open(tmp_path / str(axial)).summary()
         held = [one for one in found["warnings"] if "along its axis" in one]
         return held, round(-found["force_z_N"])
 

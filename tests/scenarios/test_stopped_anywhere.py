@@ -6,8 +6,9 @@ import re
 
 import pytest
 from host import ROOT, deck_file, succeed
+from recorded_runs import differ
 
-from scenarios.test_run_bearing import DECK, IMPLICIT, TURNS, differ, values
+from scenarios.test_run_bearing import DECK, IMPLICIT, TURNS, numbers
 
 WITHIN = 10  # samples per host step
 TIMES = {"processor_s", "wall_s"}  # attributes that no two runs share
@@ -43,5 +44,5 @@ def test_bits(name, tmp_path):
         (out / "record.nc").unlink()
         succeed(deck, out=out, resume="yes", **stopped)
         assert differ(whole, out) == [], step
-        numbers = [values(folder)[1] for folder in (whole, out)]
-        assert {k for k, v in numbers[0].items() if v != numbers[1][k]} <= TIMES, step
+        one, other = numbers(whole), numbers(out)
+        assert {k for k, v in one.items() if v != other[k]} <= TIMES, step

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from host import ROOT, deck_file, refuses, succeed
+from host import ROOT, columns, deck_file, refuses, succeed
 
 DECK = "tests/scenarios/in.support"
 MASS, ACROSS = 0.5, 2.5e-4
@@ -36,8 +36,7 @@ def swing(t, load, inertia, stiffness, damping):
 @pytest.mark.parametrize("mover", MOVERS)
 def test_free_decay(tmp_path, mover, fall):
     succeed(DECK, out=tmp_path, fall=fall, **MOVERS[mover])
-    names = (tmp_path / "ring.dat").read_text().splitlines()[0].split()[1:]
-    data = dict(zip(names, np.loadtxt(tmp_path / "ring.dat").T))
+    data = columns(tmp_path / "ring.dat")
     t = data["step"] * 1e-6
     weight = dict(zip("xyz", MASS * fall * FALL))
     for name, (load, *law) in DIRECTIONS.items():

@@ -126,35 +126,40 @@ def rotations(data):
     return np.array([one.mean() for one in parts])
 
 
-@pytest.mark.parametrize("cage", ["chain", "ring"])
+MOTIONS = [
+    ("7208B", 1500, 10000, 107, {}),  # friction holds the balls
+    ("7208B", 1100, 10000, 107, {}),  # up to about 1000 N the balls skid
+    ("7208B", 800, 10000, 107, {}),
+    ("7208B", 426, 10000, 107, {}),
+    ("7205B", 174, 10000, 107, {}),
+    ("7208B", 426, 3000, 107, {}),  # held
+    ("7208B", 426, 7000, 107, {}),
+    ("7205B", 100, 9000, 107, {}),
+    ("7205B", 100, 12000, 107, {}),
+    ("7205B", 300, 8000, 70, {"models": "eyring"}),
+    ("6208", 100, 10000, 107, {}),
+    ("6208", 2000, 3000, 60, {}),
+    ("6208", 300, 6000, 107, {"clearance": 30e-6}),  # larger contact angles
+]
+
+
 @pytest.mark.parametrize(
-    ("name", "axial", "rpm", "temperature", "models"),
+    ("name", "axial", "rpm", "temperature", "more", "cage"),
     [
-        ("7208B", 1500, 10000, 107, "full"),  # friction holds the balls
-        ("7208B", 1100, 10000, 107, "full"),  # up to about 1000 N the balls skid
-        ("7208B", 800, 10000, 107, "full"),
-        ("7208B", 426, 10000, 107, "full"),
-        ("7205B", 174, 10000, 107, "full"),
-        ("7208B", 426, 3000, 107, "full"),  # held
-        ("7208B", 426, 7000, 107, "full"),
-        ("7205B", 100, 9000, 107, "full"),
-        ("7205B", 100, 12000, 107, "full"),
-        ("7205B", 300, 8000, 70, "eyring"),
-        ("6208", 100, 10000, 107, "full"),
-        ("6208", 2000, 3000, 60, "full"),
+        *((*motion, cage) for motion in MOTIONS for cage in ("chain", "ring")),
+        ("7208B", 600, 10000, 107, {"spin_law": "slices"}, "chain"),
     ],
 )
-def test_motion_as_in_a_run(tmp_path, name, axial, rpm, temperature, models, cage):
-    """Torque, orbital speed, rotation and loads agree within 0.5 %, and the power of each part
-    within 2 %. Statics leaves out the friction between balls and pockets, up to 8 % of the power
-    at the cage."""
-    words = dict(bearing=name, axial=axial, rpm=rpm, temperature=temperature, models=models)
+def test_motion_as_in_a_run(tmp_path, name, axial, rpm, temperature, more, cage):
+    """Torque, orbital speed, rotation, loads and contact angles agree within 0.5 %, and the power
+    of each part within 2 %. Statics leaves out the friction between balls and pockets, up to 8 % of
+    the power at the cage."""
+    words = dict(bearing=name, axial=axial, rpm=rpm, temperature=temperature, **more)
     succeed("tests/scenarios/in.thrust", out=tmp_path, cage=cage, **words)
     with xarray.open_dataset(tmp_path / "record.nc") as data:
         run = data.load()
-    found = moving(
-        name, axial, rpm, temperature, models, cage=CageRing() if cage == "ring" else None
-    )
+    body = CageRing() if cage == "ring" else None
+    found = moving(name, axial, rpm, temperature, cage=body, **more)
     ring = rpm * np.pi / 30
     torque = -float(run["ring_torque"].isel(ring=0).mean())
     assert abs(torque) == pytest.approx(found.torque, rel=5e-3)
@@ -163,35 +168,13 @@ def test_motion_as_in_a_run(tmp_path, name, axial, rpm, temperature, models, cag
     load = run["load"].mean("time").transpose("raceway", "ball").values
     for side, contacts in zip(load, (found.state.inner, found.state.outer)):
         np.testing.assert_allclose(side, contacts.load, rtol=5e-3)
+    angles = found.state.inner.angle.mean(), found.state.outer.angle.mean()
+    assert float(np.abs(run["angle"]).mean()) == pytest.approx(np.mean(angles), rel=5e-3)
     for part, power in found.losses.parts.items():
         key = "friction" if part == "slip" else part
         run_power = float(run[f"bearing_{key}_power"].mean())
         within = 0.08 if part == "cage" else 0.02
         assert run_power == pytest.approx(power, rel=within, abs=2e-3 * found.losses.power)
-
-
-@pytest.mark.parametrize("spin_law", friction_torque.SPIN_LAWS)
-def test_both_spin_laws_follow_the_run(tmp_path, spin_law):
-    succeed("tests/scenarios/in.thrust", out=tmp_path, axial=600, cage="chain", spin_law=spin_law)
-    with xarray.open_dataset(tmp_path / "record.nc") as data:
-        run = rotations(data), -float(data["ring_torque"].isel(ring=0).mean())
-    found = moving("7208B", 600, 10000, 107, spin_law=spin_law)
-    np.testing.assert_allclose(run[0], [found.orbit, *found.rotation], rtol=5e-3, atol=0.1)
-    assert abs(run[1]) == pytest.approx(found.torque, rel=5e-3)
-
-
-def test_clearance(tmp_path):
-    """With clearance the contact angles of a 6208 are larger."""
-    words = dict(bearing="6208", axial=300, rpm=6000, clearance=30e-6, cage="chain")
-    succeed("tests/scenarios/in.thrust", out=tmp_path, **words)
-    with xarray.open_dataset(tmp_path / "record.nc") as data:
-        run = rotations(data), -float(data["ring_torque"].isel(ring=0).mean())
-        angle = float(np.abs(data["angle"]).mean())
-    found = moving("6208", 300, 6000, 107, clearance=30e-6)
-    np.testing.assert_allclose(run[0], [found.orbit, *found.rotation], rtol=5e-3, atol=0.1)
-    assert abs(run[1]) == pytest.approx(found.torque, rel=5e-3)
-    angles = found.state.inner.angle.mean(), found.state.outer.angle.mean()
-    assert angle == pytest.approx(np.mean(angles), rel=5e-3)
 
 
 def test_command():

@@ -76,9 +76,6 @@ def test_angular_contact(tmp_path):
     inner = data.inner_radius + data.inner_groove - (data.inner_groove - data.ball_radius) * cosine
     assert 2 * inner == pytest.approx(60e-3, rel=1e-12)
     assert float(said["clearance_m"]) == pytest.approx(play, rel=1e-9)
-    assert float(said["inner_radius_m"]) == pytest.approx(data.inner_radius, rel=1e-12)
-    pocket = 60e-3 * math.sin(math.pi / 26) - data.ball_radius
-    assert float(said["cage_ball_diameter_m"]) == pytest.approx(2 * pocket - 0.1e-3, rel=1e-9)
     loads = raceway.open(tmp_path).contacts["load"]
     static = statics("--load", "2000", "--axial", "4000", "--rpm", "300")
     most = float(loads.sel(raceway="inner").max("ball").mean())

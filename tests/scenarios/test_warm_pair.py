@@ -5,7 +5,7 @@ predicts the outcome."""
 
 import numpy as np
 import pytest
-from host import ROOT, refuses, succeed
+from host import ROOT, columns, refuses, succeed
 from raceway import heat_scene, inputs
 from raceway.errors import NoEquilibrium
 from raceway.theory.static import STRAIGHT
@@ -25,13 +25,6 @@ def rest(shaft):
     )  # fmt: skip
     nodes = heat_scene.Nodes(shaft=shaft, housing=COOLING)
     return scene, heat_scene.three_nodes(scene, nodes, 20.0, 0.0)
-
-
-def jumps(folder):
-    """Return the columns of the table written by fix bearing/heat, keyed by name."""
-    file = folder / "heat.txt"
-    names = file.read_text().split("\n", 1)[0].removeprefix("#").split()
-    return dict(zip(names, np.loadtxt(file, ndmin=2).T))
 
 
 def energy(table, shaft):
@@ -54,7 +47,7 @@ def test_a_cooled_pair_is_steady(tmp_path):
     """Temperatures agree within 1.2 K with the balance in statics. The losses of a run are 1 %
     higher, because its balls orbit faster under their gyroscopic moment, and 2 % of 50 K is 1 K."""
     succeed("docs/decks/in.warm_pair", out=tmp_path)
-    table = jumps(tmp_path)
+    table = columns(tmp_path / "heat.txt")
     _, found = rest(SHAFT)
     for part in PARTS:
         end = table[f"temperature_{part}"][-1]
@@ -77,7 +70,7 @@ def test_without_cooling_of_the_shaft_it_seizes(tmp_path):
         rest(0.0)
     says = "it seizes. Losses grow with temperature"
     refuses("docs/decks/in.warm_pair", says, out=tmp_path, shaft_cooling=0)
-    table = jumps(tmp_path)
+    table = columns(tmp_path / "heat.txt")
     assert table["gain"][-1] > 1 and table["clearance"][-1] < -10e-6
     late = table["temperature_oil"] > 150
     assert np.polyfit(table["temperature_oil"][late], table["power"][late], 1)[0] > 0

@@ -6,25 +6,17 @@ import re
 
 import numpy as np
 import pytest
-from host import ROOT, deck_file, refuses, succeed
-from raceway.runs.summary import summary
-from raceway.runs.tables import RunTables
+import raceway
+from host import ROOT, columns, deck_file, refuses, succeed
 
 DECK = "tests/scenarios/in.warm_two"
 TEMPERATURES = ["temperature_inner", "temperature_balls", "temperature_outer"]
 
 
-def jumps(folder, name):
-    """Return the columns of the table of one bearing, keyed by name."""
-    file = folder / f"{name}.txt"
-    names = file.read_text().split("\n", 1)[0].removeprefix("#").split()
-    return dict(zip(names, np.loadtxt(file, ndmin=2).T))
-
-
 def alone(folder, load):
     """Return the table of a bearing that warms up under a load (N) beside a cold one."""
     succeed(DECK, out=folder, load_a=load, heat_b="no")
-    return jumps(folder, "a")
+    return columns(folder / "a.txt")
 
 
 def test_equal_bearings_have_equal_temperatures(tmp_path):
@@ -33,7 +25,7 @@ def test_equal_bearings_have_equal_temperatures(tmp_path):
     of its value. The length of a jump is inversely proportional to the losses, so the thermal time
     is accurate to 1e-3 as well."""
     succeed(DECK, out=tmp_path)
-    a, b = jumps(tmp_path, "a"), jumps(tmp_path, "b")
+    a, b = columns(tmp_path / "a.txt"), columns(tmp_path / "b.txt")
     one = alone(tmp_path / "one", 500)
     assert a["thermal_time"][-1] > 100
     bounds = dict.fromkeys(TEMPERATURES, 1e-4) | {"power": 1e-3, "thermal_time": 1e-3}
@@ -45,7 +37,7 @@ def test_equal_bearings_have_equal_temperatures(tmp_path):
 def test_one_clock_for_different_loads(tmp_path):
     """Steady temperatures are exact to 0.05 K (each run) where the losses stay as they are."""
     succeed(DECK, out=tmp_path, load_b=2000)
-    tables = jumps(tmp_path, "a"), jumps(tmp_path, "b")
+    tables = columns(tmp_path / "a.txt"), columns(tmp_path / "b.txt")
     assert np.array_equal(tables[0]["thermal_time"], tables[1]["thermal_time"])
     for table, load in zip(tables, (500, 2000)):
         one = alone(tmp_path / f"{load}", load)
@@ -78,7 +70,7 @@ def own_ambients(folder, **variables):
         assert old in text
         text = text.replace(old, new)
     succeed(deck_file(folder, text), out=folder, until_a=20, until_b=20, **variables)
-    return [summary(RunTables(folder, bearing=number)) for number in (1, 2)]
+    return [raceway.open(folder).select(number).summary() for number in (1, 2)]
 
 
 def test_summaries_of_bearings_with_their_own_ambient(tmp_path):
@@ -86,12 +78,14 @@ def test_summaries_of_bearings_with_their_own_ambient(tmp_path):
     at its own ambient temperature. The table of one bearing does not apply to the other."""
     first, second = own_ambients(tmp_path)
     for name, figures in (("heat", first), ("b", second)):
-        table = jumps(tmp_path, name)
+        table = columns(tmp_path / f"{name}.txt")
         assert figures["clearance_warm_m"] == pytest.approx(table["clearance"][-1], rel=1e-9)
         for part in ("inner", "balls", "outer"):
             warm = table[f"temperature_{part}"][-1]
             assert figures[f"temperature_{part}_C"] == pytest.approx(warm, rel=1e-9)
-    assert first["heat_booked_J"] == pytest.approx(jumps(tmp_path, "heat")["booked"][-1], rel=1e-9)
+    assert first["heat_booked_J"] == pytest.approx(
+        columns(tmp_path / "heat.txt")["booked"][-1], rel=1e-9
+    )
     assert "heat_booked_J" not in second
 
 

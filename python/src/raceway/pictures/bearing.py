@@ -14,7 +14,7 @@ from matplotlib.patches import Circle, Polygon
 from raceway.files import FilePath
 from raceway.pictures import style
 from raceway.pictures.page import fit
-from raceway.pictures.part import largest_load, shown, tracks
+from raceway.pictures.part import largest_load, shown, tracks, within_turn
 from raceway.pictures.scene import COLOURS, Scene, scene
 from raceway.pictures.style import FAINT, INK, MAP, SOFT
 from raceway.runs.measured import rpm, speeds, title
@@ -206,14 +206,7 @@ class Sheet:
         top = largest_load(self.tables)
         factor, unit = axis(top, "N")
         for psi, load in tracks(self.tables, OUTER, "load"):
-            turn = 2 * np.pi * np.round(psi / (2 * np.pi))
-            breaks = np.flatnonzero(np.diff(turn) != 0) + 1
-            axes.plot(
-                np.insert(np.degrees(psi - turn), breaks, np.nan),
-                np.insert(load * factor, breaks, np.nan),
-                color=FAINT,
-                lw=2.5,
-            )
+            axes.plot(*within_turn(psi, load * factor), color=FAINT, lw=2.5)
         self.dots = axes.scatter(
             [], [], s=42, edgecolors=INK, linewidths=1, zorder=3, clip_on=False
         )

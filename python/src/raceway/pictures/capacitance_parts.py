@@ -5,7 +5,9 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 
+from raceway.arrays import Floats
 from raceway.files import FilePath
 from raceway.pictures.electric_page import LEFT, RIGHT, head, plain_ticks
 from raceway.pictures.style import PALETTE, drawing
@@ -26,6 +28,17 @@ PARTS = (
 )
 
 
+def stack(axes: Axes, x: Floats, layers: Floats) -> None:
+    """Plot the `layers` (parts, N) in F of `PARTS` against `x` (N,), on top of each other."""
+    most = layers.sum(0).max()
+    factor, unit = axis(most, "F")
+    _, names, colours = zip(*PARTS)
+    axes.grid(True)
+    axes.stackplot(x, factor * layers, labels=names, colors=colours, lw=0)
+    axes.set(ylabel=f"capacitance ({unit})", ylim=(0, 1.22 * factor * most))
+    axes.legend(loc="upper left", ncols=3)
+
+
 def parts(results: Sequence[Mapping[str, Any]], over: str, path: FilePath) -> None:
     """Plot the parts of the capacitance in `results` (from `electric_point.figures`) against the
     quantity `over`, which is a key of `OVER`, and write the plot to the PNG file `path`. Raises
@@ -34,23 +47,12 @@ def parts(results: Sequence[Mapping[str, Any]], over: str, path: FilePath) -> No
     results = sorted(results, key=lambda one: one[over])
     x = scale * np.array([one[over] for one in results])
     layers = np.array([[one[key] for one in results] for key, _, _ in PARTS])
-    factor, unit = axis(layers.sum(0).max(), "F")
     with drawing(path, figsize=(10, 6), dpi=110) as figure:
         axes = figure.subplots()
         figure.subplots_adjust(left=LEFT, right=RIGHT, bottom=0.11, top=0.83)
         head(figure, results[0], "Parts of the bearing capacitance", without=over)
-        axes.grid(True)
-        axes.stackplot(
-            x,
-            factor * layers,
-            labels=[name for _, name, _ in PARTS],
-            colors=[colour for _, _, colour in PARTS],
-            lw=0,
-        )
-        axes.set(xlabel=label, ylabel=f"capacitance ({unit})", xlim=(x[0], x[-1]))
-        axes.set_ylim(0, 1.22 * factor * layers.sum(0).max())
+        stack(axes, x, layers)
+        axes.set(xlabel=label, xlim=(x[0], x[-1]))
         if x[0] > 0 and x[-1] > 8 * x[0]:
             axes.set_xscale("log")
             plain_ticks(axes, x)
-        handles, names = axes.get_legend_handles_labels()
-        axes.legend(handles, names, loc="upper left", ncols=3)

@@ -6,14 +6,14 @@ import numpy as np
 import xarray as xr
 
 from raceway.files import FilePath
-from raceway.pictures.bode import frequencies
-from raceway.pictures.capacitance_parts import PARTS
+from raceway.pictures.bode import frequencies, impedance_axes
+from raceway.pictures.capacitance_parts import stack
 from raceway.pictures.electric_page import around_ring
 from raceway.pictures.page import LEFT, RIGHT, against_time, head
 from raceway.pictures.style import COLOUR, NAME, PALETTE, SIDES, drawing
 from raceway.runs import film_figures
 from raceway.runs.run import Run
-from raceway.units import axis, prefixed
+from raceway.units import prefixed
 
 VARIABLES = ("plates", "around", "unloaded")  # in the order of `PARTS`
 BINS = 72  # number of sectors around the ring in the picture of the field
@@ -23,22 +23,12 @@ def parts(run: Run, data: xr.Dataset, path: FilePath) -> None:
     """Plot the parts of the capacitance in a `run` against time and write the plot to the PNG file
     `path`; `data` is from `film_figures.over_time`. Raises `RunError` if it cannot be written."""
     layers = np.stack([data[name].to_numpy() for name in VARIABLES])
-    factor, unit = axis(layers.sum(0).max(), "F")
     with drawing(path, figsize=(10, 6), dpi=110) as figure:
         axes = figure.subplots()
         figure.subplots_adjust(left=LEFT + 0.02, right=RIGHT, bottom=0.11, top=0.81)
         head(figure, run.tables, _below("Parts of the bearing capacitance", data), size=15)
-        axes.grid(True)
-        axes.stackplot(
-            run.tables.passes(np.arange(layers.shape[1])),
-            factor * layers,
-            labels=[name for _, name, _ in PARTS],
-            colors=[colour for _, _, colour in PARTS],
-            lw=0,
-        )
+        stack(axes, run.tables.passes(np.arange(layers.shape[1])), layers)
         against_time(axes, run.tables, layers.shape[1])
-        axes.set(ylabel=f"capacitance ({unit})", ylim=(0, 1.22 * factor * layers.sum(0).max()))
-        axes.legend(loc="upper left", ncols=3)
 
 
 def field(run: Run, fields: xr.Dataset, voltage: float, path: FilePath) -> None:
@@ -86,8 +76,7 @@ def bode(run: Run, whole: xr.Dataset, resistivity: float, path: FilePath) -> Non
     frequency = frequencies(resistivity, 120)
     z = film_figures.spectrum(whole, frequency, resistivity).to_numpy()
     with drawing(path, figsize=(10, 7.6), dpi=110) as figure:
-        (top, bottom) = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1))
-        figure.subplots_adjust(left=LEFT + 0.04, right=RIGHT, bottom=0.09, top=0.85, hspace=0.1)
+        top, bottom = impedance_axes(figure, LEFT + 0.04)
         head(figure, run.tables, _below("Impedance of the bearing", whole), size=15)
         for axes, values in ((top, np.abs(z)), (bottom, np.degrees(np.angle(z)))):
             axes.fill_between(
@@ -95,12 +84,8 @@ def bode(run: Run, whole: xr.Dataset, resistivity: float, path: FilePath) -> Non
                 label="over the run",
             )  # fmt: skip
             axes.plot(frequency, values.mean(0), color=PALETTE[0], lw=1.6, label="mean")
-            axes.set(xscale="log", xlim=(frequency[0], frequency[-1]))
-            axes.grid(True)
-        top.set(yscale="log", ylabel="|Z| (Ω)")
         top.legend(loc="upper right")
-        bottom.set(xlabel="frequency (Hz)", ylabel="phase (°)", ylim=(-95, 5))
-        bottom.set_yticks([-90, -60, -30, 0])
+        top.set_xlim(frequency[0], frequency[-1])
 
 
 def _below(text, data):

@@ -7,7 +7,7 @@ from raceway.arrays import Floats
 from raceway.files import FilePath
 from raceway.pictures import around_ring, style
 from raceway.pictures.page import LEFT, RIGHT, against_time, finish, head, key
-from raceway.pictures.part import filmed, shown, tracks
+from raceway.pictures.part import filmed, shown, tracks, within_turn
 from raceway.pictures.style import BALL, COLOUR, INK, NAME, PALETTE
 from raceway.runs.columns import LOSSES
 from raceway.runs.summary import ring_displacement, summary
@@ -124,15 +124,7 @@ def _pressures(axes, tables):
     factor, unit = axis(largest, "Pa")
     for side in (OUTER, INNER):
         for psi, pressure in tracks(tables, side, "pressure"):
-            # break the line where the angle jumps back by one turn
-            turn = 2 * np.pi * np.round(psi / (2 * np.pi))
-            breaks = np.flatnonzero(np.diff(turn) != 0) + 1
-            axes.plot(
-                np.insert(np.degrees(psi - turn), breaks, np.nan),
-                np.insert(pressure * factor, breaks, np.nan),
-                color=COLOUR[side],
-                lw=2,
-            )
+            axes.plot(*within_turn(psi, pressure * factor), color=COLOUR[side], lw=2)
     axes.set(
         xlabel="azimuth from the load line (°)",
         ylabel=f"largest contact pressure ({unit})",

@@ -79,3 +79,11 @@ def tracks(
         psi = np.unwrap(tables.angles(ball))
         gaps = np.flatnonzero(np.diff(ball["sample"].to_numpy()) > 1) + 1
         yield np.insert(psi, gaps, np.nan), np.insert(ball[column].to_numpy(), gaps, np.nan)
+
+
+def within_turn(psi: Floats, values: Floats) -> tuple[Floats, Floats]:
+    """Return the angles `psi` (rad, unwrapped) in degrees from -180 to 180, and the `values`, with
+    NaN in between where the angle jumps back by one turn."""
+    turn = 2 * np.pi * np.round(psi / (2 * np.pi))
+    breaks = np.flatnonzero(np.diff(turn) != 0) + 1
+    return np.insert(np.degrees(psi - turn), breaks, np.nan), np.insert(values, breaks, np.nan)

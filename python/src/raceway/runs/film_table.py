@@ -10,6 +10,7 @@ import xarray as xr
 
 from raceway.rows import Row, lines, row
 from raceway.runs.run import Run
+from raceway.theory.electric_table import PARTS, PLATES, shown
 from raceway.theory.film_voltage import STATES
 
 TOPICS = {
@@ -24,14 +25,10 @@ TOPICS = {
         Row("samples", "samples", ""),
     ),
     "Capacitance, mean over the run": (
-        row("capacitance_F"),
-        Row("capacitance_surroundings_F", "around the ellipses", "F", "loaded balls"),
-        Row("capacitance_unloaded_F", "balls without load", "F"),
-        Row("capacitance_total_F", "bearing", "F", "sum"),
+        *PARTS,
         Row("capacitance_total_min_F", "bearing, least", "F"),
         Row("capacitance_total_max_F", "bearing, largest", "F"),
-        Row("plates_factor", "bearing over plates", ""),
-        Row("hertz_area_m2", "Hertz area, both raceways", None),
+        *PLATES,
     ),
     "Breakdown": (
         Row("threshold_V", "smallest voltage, smooth", "V", "minimum over the run"),
@@ -117,10 +114,7 @@ def figures(
 
 def table(figures: Mapping[str, Any]) -> str:
     """Return `figures` as text."""
-    shown = dict(figures, hertz_area_m2=f"{1e6 * figures['hertz_area_m2']:.4g} mm²")
-    for key in ("threshold_azimuth_deg", "phase_deg"):
-        shown[key] = shown[key] and round(shown[key], 2) + 0.0
-    return "\n".join(lines(shown, TOPICS))
+    return "\n".join(lines(shown(figures), TOPICS))
 
 
 def _azimuth(run, time, ball):

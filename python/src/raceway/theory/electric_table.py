@@ -9,6 +9,16 @@ from typing import Any
 from raceway.rows import GROOVES, Row, aligned, lines, row, several, warning_lines
 from raceway.units import prefixed
 
+PARTS = (
+    row("capacitance_F"),
+    Row("capacitance_surroundings_F", "around the ellipses", "F", "loaded balls"),
+    Row("capacitance_unloaded_F", "balls without load", "F"),
+    Row("capacitance_total_F", "bearing", "F", "sum"),
+)
+PLATES = (
+    Row("plates_factor", "bearing over plates", ""),
+    Row("hertz_area_m2", "Hertz area, both raceways", None),
+)
 TOPICS = {
     "Operating point": (
         row("bearing"),
@@ -24,14 +34,7 @@ TOPICS = {
         row("lambda", "largest inner load"),
         Row("surroundings", "surroundings", None),
     ),
-    "Capacitance": (
-        row("capacitance_F"),
-        Row("capacitance_surroundings_F", "around the ellipses", "F", "loaded balls"),
-        Row("capacitance_unloaded_F", "balls without load", "F"),
-        Row("capacitance_total_F", "bearing", "F", "sum"),
-        Row("plates_factor", "bearing over plates", ""),
-        Row("hertz_area_m2", "Hertz area, both raceways", None),
-    ),
+    "Capacitance": (*PARTS, *PLATES),
     "Breakdown": (
         Row("threshold_V", "smallest voltage, smooth", "V", "field over h_c"),
         Row("threshold_peaks_V", "smallest voltage, rough", "V", "over h_c - 3 sigma", "bridged"),
@@ -70,14 +73,19 @@ COLUMNS = (  # columns of `curves`: key, heading, factor
 )
 
 
+def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
+    """Return electrical results with the Hertz area in mm², angles with two decimals, and grooves
+    that do not exist as None."""
+    area = f"{1e6 * figures['hertz_area_m2']:.4g} mm²"
+    found = dict.fromkeys(one.key for one in GROOVES) | dict(figures, hertz_area_m2=area)
+    for key in ("threshold_azimuth_deg", "phase_deg"):
+        found[key] = found[key] and round(found[key], 2) + 0.0
+    return found
+
+
 def table(result: Mapping[str, Any]) -> str:
     """Format the result of `figures` as text, with one block per topic and then one row per
     ball."""
-    shown = dict.fromkeys(one.key for one in GROOVES) | dict(
-        result, hertz_area_m2=f"{1e6 * result['hertz_area_m2']:.4g} mm²"
-    )
-    for key in ("threshold_azimuth_deg", "phase_deg"):
-        shown[key] = shown[key] and round(shown[key], 2) + 0.0
     rows = [["ball", "azimuth, °", "Q inner", "C inner", "C outer", "C", "h inner", "threshold"]]
     for number, ball in enumerate(result["balls"], 1):
         rows.append(
@@ -97,7 +105,7 @@ def table(result: Mapping[str, Any]) -> str:
                 ),
             ]
         )
-    text = [*lines(shown, TOPICS), "", "Balls", *aligned(rows)]
+    text = [*lines(shown(result), TOPICS), "", "Balls", *aligned(rows)]
     return "\n".join(text + warning_lines(result["warnings"]))
 
 
