@@ -53,9 +53,8 @@ bool goes_on(LAMMPS *lmp, const Arguments &args, const ResumeRequest &ask)
     complaint =
         file + " is from another host: LIGGGHTS and LAMMPS cannot continue each other's runs";
   if (!ask.overwrite && is_first_rank(lmp) && !(there && ask.resume) && holds_finished_run(folder))
-    complaint = folder + " holds a finished run. Name another folder with -var out, " +
-                (there ? "make it longer with -var resume yes and more passes, " : "") +
-                "or replace it with -var overwrite yes";
+    complaint = folder + " holds a finished run: give another -var out or -var overwrite yes" +
+                (there ? ", or more passes with -var resume yes" : "");
   complaint = of_first_rank(lmp, complaint);
   if (!complaint.empty()) args.fail(complaint);
   MPI_Bcast(&there, 1, MPI_INT, 0, lmp->world);

@@ -15,8 +15,11 @@ def test_finished_run_stays(tmp_path, deck):
     succeed(f"inputs/{deck}", **scene)
     before = (tmp_path / "record.nc").read_bytes()
     for more in ({}, {"passes": 3}, {"overwrite": "no"}):
-        says = f"{tmp_path} holds a finished run", "-var resume yes and more passes"
-        refuses(f"inputs/{deck}", *says, **{**scene, **more})
+        says = (
+            f"{tmp_path} holds a finished run: give another -var out or -var overwrite yes, "
+            "or more passes with -var resume yes"
+        )
+        refuses(f"inputs/{deck}", says, **{**scene, **more})
     assert (tmp_path / "record.nc").read_bytes() == before
     succeed(f"inputs/{deck}", overwrite="yes", **{**scene, "passes": 1})
     assert (tmp_path / "record.nc").read_bytes() != before

@@ -8,6 +8,7 @@ import itertools
 import numpy as np
 import pytest
 from film_scene import OIL, OVERLAPS, ROUNDING, SPEEDS, scene
+from raceway import film_gap
 from references import film as reference
 from scipy.integrate import quad
 
@@ -158,6 +159,7 @@ def test_a_film_beyond_the_reach_is_held_there(gap):
     """At 1e9 m/s, the contact begins with zero load at the reach of the film."""
     reach = gap.cpp(0.0, 1.0)[1].reach
     assert reach == pytest.approx(0.01 * 6.3e-3, rel=1e-14)
+    assert film_gap.REACH * 6.3e-3 == reach
     assert gap.cpp(-reach * (1 + 1e-12), 1e9)[0]
     open_, found = gap.cpp(-reach * (1 - 1e-9), 1e9)
     assert not open_ and found.load < 1e-6

@@ -156,9 +156,9 @@ def spoil(folder, pattern, replacement):
 # ---- the record --------------------------------------------------------------------------------
 
 NUMBERS = (  # settings that appear as attributes of the file and as entries in run.yaml
-    "load_N rpm passes samples_per_pass load_azimuth_rad balls ball_diameter_m inner_radius_m"
-    " outer_radius_m inner_groove_m outer_groove_m clearance_m ball_young_Pa ball_poisson"
-    " viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m temperature_C"
+    "load_N axial_N rpm passes samples_per_pass load_azimuth_rad balls ball_diameter_m"
+    " inner_radius_m outer_radius_m inner_groove_m outer_groove_m clearance_m ball_young_Pa"
+    " ball_poisson viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m temperature_C"
     " inner_ring outer_ring sample_s"
 ).split()
 WORDS = "bearing lubricant integrator models host".split()

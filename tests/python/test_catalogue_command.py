@@ -133,7 +133,11 @@ def test_file_to_edit(capsys, tmp_path, name):
     known = catalogue.find("bearings", name)
     assert inputs.values(path) == inputs.values(known)
     assert inputs.bearing(path) == inputs.bearing(known)
-    assert ("JTEKT (Koyo) catalogue" if name == "7205B" else "Farah") in path.read_text()
+    text = path.read_text()
+    assert ("JTEKT (Koyo) catalogue" if name == "7205B" else "Farah") in text
+    data = [line for line in text.splitlines() if line.startswith("variable")]
+    for sign in ("index", "#"):
+        assert len({line.find(sign) for line in data if sign in line}) == 1  # columns are aligned
     assert "already exists" in reply(capsys, ["catalogue", name, "--file", path], code=1)
     assert main(["catalogue", "--file", str(tmp_path / "other")]) == 1
     assert "there is no bearing '7205'" in reply(

@@ -5,6 +5,7 @@ statics, films inferred from measured values, pictures, messages and exit codes.
 import csv
 import json
 import math
+import re
 
 import numpy as np
 import pytest
@@ -51,13 +52,35 @@ def test_parts_add_up(grooves):
 
 @pytest.mark.parametrize("grooves", GROOVES)
 @pytest.mark.parametrize("models", ["paper", "full"])
-def test_plates_are_those_of_statics(models, grooves):
-    same = dict(load=1000.0, rpm=3000.0, clearance=10e-6, temperature=60.0, models=models)
-    same |= grooves | dict(phase=0.2)
+@pytest.mark.parametrize("axial", [0.0, 700.0])
+def test_plates_are_those_of_statics(models, grooves, axial):
+    same = dict(load=1000.0, axial=axial, rpm=3000.0, clearance=10e-6, temperature=60.0)
+    same |= grooves | dict(phase=0.2, models=models)
     found = electric_point.figures(electric_point.solve("6306", "vg68", **same))
-    statics = operating_point.figures("6306", "vg68", **same)
+    held = STRAIGHT if axial else None
+    statics = operating_point.figures("6306", "vg68", held=held, **same)
     for key in ("capacitance_F", "h_c_m", "lambda"):
         assert found[key] == pytest.approx(statics[key], rel=1e-9)
+
+
+def test_grooves_are_shown(capsys):
+    words = "--bearing 7208 --load 1000 --rpm 900 --double-row 18e-3 --preload 5e-6"
+    for command in (f"electric {words}", f"heat {words}", f"static {words}"):
+        text = reply(capsys, command)
+        assert re.search(r"distance of the rows +18 mm\n +preload of each row +5 µm\n", text)
+        assert "back_to_back" in text
+    for command in ("electric", "heat", "static"):
+        text = reply(capsys, f"{command} --bearing QJ208 --load 1000 --rpm 900")
+        assert re.search(r"four-point contact angle +35 °  \(of centred balls\)", text)
+
+
+def test_a_preload_replaces_a_load(capsys):
+    """Balls that a negative clearance loads equally have equal films."""
+    found = answer(capsys, "electric --rpm 1500 --clearance -10e-6")
+    statics = answer(capsys, "static --rpm 1500 --clearance -10e-6 --lubricant vg46")
+    for key in ("capacitance_F", "h_c_m", "lambda"):
+        assert found[key] == pytest.approx(statics[key], rel=1e-9)
+    assert np.ptp([ball["q_inner_N"] for ball in found["balls"]]) < 1e-6
 
 
 def test_two_rows_are_two_bearings_that_share_the_load():
@@ -218,7 +241,7 @@ POINT = ["--load", "1000", "--rpm", "900"]
     ("arguments", "code", "message"),
     [
         (["--load", "1000"], 2, "give --rpm"),
-        (["--rpm", "900"], 2, "a load is needed"),
+        (["--rpm", "900"], 2, "a load or a preload is needed"),
         ([*POINT, "--c-wr", "1e-11"], 2, "--c-wr and --c-rf must be given together"),
         ([*POINT, "--kind", "bode"], 2, "--kind and --out must be given together"),
         ([*POINT, "--kind", "parts", "--out", "x.png"], 2, "several values of one quantity"),

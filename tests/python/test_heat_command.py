@@ -56,6 +56,31 @@ def test_three_nodes_balance_and_tend_to_one():
     assert found["clearance_warm_m"] == pytest.approx(warm, abs=2e-9)
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        "--load 2000 --rpm 1500",
+        "--load 1000 --axial 1000 --bearing QJ208 --rpm 3000",
+        "--axial 1000 --bearing 7208 --rpm 3000",
+        "--load 1500 --axial 1000 --rpm 3000 --clearance 30e-6",
+        "--rpm 1500 --clearance -10e-6",
+        "--load 1000 --bearing 7208 --double-row 18e-3 --preload 5e-6 --rpm 1500",
+    ],
+)
+def test_the_same_as_statics_at_that_temperature(capsys, words):
+    """With a ball on the load line, as in statics, films are the same, and so are the warnings, on
+    which the temperature depends as the friction torque does."""
+    words += " --lubricant vg46"
+    hot = answer(capsys, f"heat {words}")
+    statics = answer(capsys, f"static {words} --temperature {hot['temperature_C']!r}")
+    assert hot["warnings"] == statics["warnings"]
+    bearing = ("four_point_rad", "row_spacing_m", "row_preload_m", "arrangement", "clearance_m")
+    assert [hot.get(key) for key in bearing] == [statics.get(key) for key in bearing]
+    for key in ("h_min_m", "h_c_m", "lambda", "viscosity_Pa_s"):
+        assert hot[key] == pytest.approx(statics[key], rel=1e-6)
+    assert hot["friction_torque_N_m"] == pytest.approx(statics["friction_torque_N_m"], rel=0.03)
+
+
 @pytest.mark.parametrize(("rpm", "ratio"), [(48.0, 2.3), (477.5, 1.95), (1910.0, 1.1),
                                             (9549.0, 0.22)])  # fmt: skip
 def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio, monkeypatch):
@@ -142,7 +167,7 @@ def test_command(capsys):
             1,
             "no steady temperature up to 200 C",
         ),
-        (["--rpm", "100"], 2, "a load is needed"),
+        (["--rpm", "100"], 2, "a load or a preload is needed"),
         (["--load", "1", "--rpm", "0"], 2, "must lie from 1 to 100000 rpm"),
         (["--rpm", "9", "--nodes", "1", "1", "1", "--conductance", "1"], 2, "not allowed with"),
     ],

@@ -29,7 +29,7 @@ def test_lubricated(folder, lubricated, tmp_path, panels):
         "Contact load around the ring",
         "Film thickness around the ring",
         "Hertz pressure",
-        "Capacitance",
+        "Capacitance of the contact ellipses",
     }
     load = drawn(axes["Contact load around the ring"], plot.COLOUR[0])
     expected = [row[6] for frame in lubricated["contacts"] for row in frame if row[2] == 0]
@@ -37,7 +37,7 @@ def test_lubricated(folder, lubricated, tmp_path, panels):
     assert np.sort(load[:, 1]) == pytest.approx(np.sort(expected) / 1e3)
     heaviest = load[np.argmax(load[:, 1])]
     assert np.cos(heaviest[0]) > 0.99  # on the load line
-    total = drawn(axes["Capacitance"], plot.INK)
+    total = drawn(axes["Capacitance of the contact ellipses"], plot.INK)
     assert total[:, 0] == pytest.approx(np.arange(49) / 24)
     assert total[:, 1] == pytest.approx(run.bearing_capacitance * 1e12)
     pressure = drawn(axes["Hertz pressure"], plot.COLOUR[1])
@@ -78,4 +78,5 @@ def test_large_run_is_drawn_in_part(folder, tmp_path, panels, monkeypatch):
     monkeypatch.setattr(part, "PASSES", 1)
     with pytest.warns(RunWarning, match="shows its first 1 ball passes; the results are for all"):
         plot.overview(RunTables(folder), tmp_path / "part.png")
-    assert drawn(panels()["Capacitance"], plot.INK)[:, 0] == pytest.approx(np.arange(24) / 24)
+    axes = panels()["Capacitance of the contact ellipses"]
+    assert drawn(axes, plot.INK)[:, 0] == pytest.approx(np.arange(24) / 24)

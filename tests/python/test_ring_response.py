@@ -79,14 +79,41 @@ def test_negative_numbers(radial):
         ring_response.over_pass(lambda phase: None, 9, 0)
 
 
-def test_over_a_ball_pass():
-    """The mean, smallest and largest stiffness perpendicular to the load are found over 16
-    phases."""
-    found = ring_response.turning_ring(B6208, 3000.0, phases=16)
-    assert found.mean.stiffness[1, 1] == pytest.approx(1.2220e8, rel=5e-4)
-    assert found.least.stiffness[1, 1] == pytest.approx(1.1142e8, rel=1e-3)
-    assert found.most.stiffness[1, 1] == pytest.approx(1.3538e8, rel=1e-3)
-    assert np.all(found.mean.damping == 0)
+MANY = 96  # positions in a ball pass
+# loads in N, and options
+PASSES = {
+    "most of the balls": ((3000.0,), dict(clearance=10e-6, speed=SPIN)),
+    "few balls": ((1000.0,), dict(clearance=10e-6, speed=SPIN)),
+    "two balls": ((300.0,), dict(clearance=40e-6)),
+    "free tilts": ((3000.0, 500.0), dict(clearance=10e-6, moment=(0.0, 0.0))),
+    "film": ((3000.0,), dict(speed=SPIN, oil=OIL, models="paper", frequency=SPIN)),
+    "not symmetric": ((2000.0, 300.0), dict(held={"rx": 3e-4, "ry": 1e-4}, clearance=10e-6)),
+}
+
+
+@pytest.mark.parametrize("name", PASSES)
+def test_over_a_ball_pass(name, monkeypatch):
+    """The reference for mean and extremes solves many positions of the balls, then, around each
+    extreme, positions that are closer and closer together."""
+    loads, options = PASSES[name]
+    found = ring_response.turning_ring(B6208, *loads, **options)
+    monkeypatch.setattr(ring_response, "over_pass", lambda at, *_, **__: at)
+    at = ring_response.turning_ring(B6208, *loads, **options)
+
+    def diagonals(one):
+        return np.concatenate([np.diag(matrix) for matrix in one])
+
+    spacing = 2 * np.pi / B6208.balls
+    where = np.linspace(0, spacing, MANY, endpoint=False)
+    each = np.array([diagonals(at(one)[0]) for one in where])
+    mean, least, most = (how(each, axis=0) for how in (np.mean, np.min, np.max))
+    for width in (MANY, 8 * MANY, 64 * MANY):
+        ends = where[np.unique([each.argmin(0), each.argmax(0)])]
+        where = (ends[:, None] + spacing / width * np.linspace(-1, 1, 17)).ravel()
+        each = np.array([diagonals(at(one)[0]) for one in where])
+        least, most = np.minimum(least, each.min(0)), np.maximum(most, each.max(0))
+    for one, want in zip(found, (mean, least, most)):
+        assert np.all(np.abs(diagonals(one) - want) <= 2e-3 * most)
 
 
 def test_full_needs_the_fluid():

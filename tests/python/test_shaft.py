@@ -326,6 +326,17 @@ def test_a_dry_shaft_is_one_without_lubricant(tmp_path, capsys):
     assert found[0] == found[1]
 
 
+def test_own_bearing(motor, capsys, tmp_path):
+    """A bearing that is given by its path is shown by its name, as in other commands."""
+    (tmp_path / "mine").write_text((ROOT / "inputs/bearings/6208").read_text())
+    text = MOTOR.read_text().replace("name: 6208", f"name: {tmp_path / 'mine'}", 1)
+    (tmp_path / "shaft").write_text(text)
+    found = answer(capsys, ["shaft", tmp_path / "shaft"])
+    assert [one.pop("bearing") for one in found["bearings"]] == ["mine", "6208"]
+    want = json.loads(motor)["bearings"]
+    assert found["bearings"] == [{k: v for k, v in one.items() if k != "bearing"} for one in want]
+
+
 def test_several_speeds(motor, capsys):
     """Each entry equals the result of a run at that speed alone; results below the accuracy of the
     equilibrium are 0."""

@@ -171,6 +171,7 @@ def test_command(tmp_path, lubricated, bearing, capsys):
     (row,) = (line.split() for line in lines if line.startswith("  BPFO  "))
     # in this run the balls roll without slip
     assert row[:2] + row[6:] == ["BPFO", "3.5644", "-0.0400%", "400", "nm", "-0.0400%"]
+    assert lines[-1] == "  order: measured cage and balls; kinematics: balls that roll without slip"
     assert (tmp_path / "x.png").read_bytes()[:4] == b"\x89PNG" and (
         tmp_path / "x.png"
     ).stat().st_size > 10_000

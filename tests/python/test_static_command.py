@@ -130,6 +130,24 @@ def test_table(capsys):
     assert len(balls) == 10 and len({len(line) for line in balls}) == 1
 
 
+def test_the_moment_on_a_held_tilt_stands_once(capsys):
+    """It is that of the restraint if the tilt is held, and the load otherwise."""
+    for words in ([], ["--moment", "3", "0"], ["--tilt", "1e-4", "0"]):
+        text = reply(capsys, ["static", "--load", "1000", "--axial", "300", *words])
+        assert text.count("moment about x") == text.count("moment about y") == 1
+
+
+def test_files_are_shown_by_their_names(capsys, tmp_path):
+    own = {}
+    for kind, name in (("bearing", "6208"), ("lubricant", "vg46")):
+        own[kind] = tmp_path / f"my{name}"
+        own[kind].write_text((ROOT / f"inputs/{kind}s" / name).read_text())
+    words = [word for kind, path in own.items() for word in (f"--{kind}", path)]
+    for command in ("static", "electric", "heat"):
+        found = answer(capsys, [command, "--load", "1000", "--rpm", "900", *words])
+        assert (found["bearing"], found["lubricant"]) == ("my6208", "myvg46")
+
+
 def test_dry_lubricant_has_no_film(capsys):
     assert "h_min_m" not in figures(capsys, "--load", "100", "--lubricant", "dry")
 
@@ -235,7 +253,13 @@ def test_full_models(capsys):
     assert full["torque_skf_N_m"] > 0 and full["torque_palmgren_N_m"] > 0
     thrust = figures(capsys, *common, "--axial", "1000")
     assert thrust["torque_skf_N_m"] > full["torque_skf_N_m"]
-    assert thrust["torque_palmgren_N_m"] is None  # the formula is for radial loads
+    assert thrust["torque_palmgren_N_m"] is None
+    assert thrust["absent"] == {"torque_palmgren_N_m": "the formula is for radial loads"}
+    held = figures(capsys, *common, "--bearing", "7208B")  # its balls push it along its axis
+    assert held["axial_N"] == 0 < held["support_z_N"] and held["torque_palmgren_N_m"] is None
+    assert held["torque_skf_N_m"] > 0
+    four = figures(capsys, *common, "--bearing", "QJ208")
+    assert set(four["absent"]) == {"torque_skf_N_m", "torque_palmgren_N_m"}
 
 
 def test_temperature_needs_a_lubricant(capsys):

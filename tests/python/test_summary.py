@@ -21,7 +21,8 @@ viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m l
 q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa loaded_balls_mean
 cage_speed_rad_s entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F
 capacitance_total_F wall_s simulated_s real_time_factor processor_s evaluations force_x_N
-force_y_N force_z_N moment_x_N_m moment_y_N_m shift_z_m tilt_x_rad tilt_y_rad rpm_inner rpm_outer
+force_y_N force_z_N moment_x_N_m moment_y_N_m shift_z_m tilt_x_rad tilt_y_rad axial_N rpm_inner
+rpm_outer
 rpm_least rpm_most rpm_top
 friction_torque_N_m power_loss_W losses_W torque_skf_N_m torque_palmgren_N_m asperity_share
 settled_torque settled_load settled_cage_speed settled_spin_axis_rad
@@ -233,6 +234,14 @@ def forced(folder, data, force):
     return summary(RunTables(synthetic.write(folder, dict(data, rings=rings))))
 
 
+def test_files_are_shown_by_their_names(folder, lubricated):
+    own = synthetic.changed(lubricated, bearing="some/where/mine", lubricant="/any/oil")
+    figures = summary(RunTables(synthetic.write(folder, own)))
+    assert figures["bearing"] == "some/where/mine"
+    text = table(figures)
+    assert re.search(r"bearing +mine\n +lubricant +oil\n", text) and "where" not in text
+
+
 def test_the_measured_force_stands_beside_the_set_load(folder, lubricated):
     figures = forced(folder, lubricated, lambda k: (30.0, 4000.0 + k % 2, -100.0))
     assert figures["force_x_N"] == 30.0 and figures["force_z_N"] == -100.0
@@ -240,6 +249,22 @@ def test_the_measured_force_stands_beside_the_set_load(folder, lubricated):
     text = table(figures)
     assert re.search(r"force of the balls along y +4 kN", text)
     assert "along x" not in text and re.search(r"along z +-100 N", text)
+    assert figures["axial_N"] == 100.0 and re.search(r"axial load +100 N", text)
+
+
+@pytest.mark.parametrize("axial, measured", [(300.0, -300.0), (0.0, -9.0), (0.0, -300.0)])
+def test_axial_load(folder, lubricated, axial, measured):
+    """An axial load that the deck records is given instead of the measured force, which is that of
+    a support if the ring is held. Palmgren's formula, which is for radial loads, is absent with the
+    reason if balls push the ring along its axis."""
+    own = synthetic.changed(lubricated, axial_N=axial)
+    figures = forced(folder, own, lambda k: (0.0, 5000.0, measured))
+    assert figures["axial_N"] == axial and ("axial load" in table(figures)) == bool(axial)
+    pushed = measured == -300
+    assert (figures["torque_palmgren_N_m"] is None) == pushed
+    assert figures["absent"].get("torque_palmgren_N_m") == (
+        "the formula is for radial loads" if pushed else None
+    )
 
 
 @pytest.mark.parametrize(
@@ -308,6 +333,6 @@ def test_table(folder, dry_folder):
     text = table(summary(RunTables(folder)))
     assert re.search(r"radial load +5 kN  \(as set, or measured\)", text)
     assert re.search(r"minimum film thickness +[0-9.]+ nm  \(eq 6\)", text)
-    assert re.search(r"bearing +[0-9.]+ pF  \(mean, eq 12\)", text)
+    assert re.search(r"plates +[0-9.]+ pF  \(contact ellipses, eq 12, mean\)", text)
     text = table(summary(RunTables(dry_folder)))
     assert "Film" not in text and "Capacitance" not in text and "None" not in text

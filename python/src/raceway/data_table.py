@@ -37,6 +37,17 @@ def line(text: str, place: str) -> Line | None:
     raise InputError(f"{place}: a line of data is 'variable NAME index VALUE', not '{text}'")
 
 
+def aligned(text: str) -> str:
+    """Return the `text` of a data file with its names, values and comments in columns."""
+    rows = text.splitlines()
+    data = {number: found for number, row in enumerate(rows) if (found := line(row, row))}
+    names, values = (max(len(one[k]) for one in data.values()) for k in (0, 1))
+    for number, (name, value, comment) in data.items():
+        note = f"# {comment}" if comment else ""
+        rows[number] = f"variable {name:<{names}}  index {value:<{values}}  {note}".rstrip()
+    return "\n".join(rows) + "\n"
+
+
 def names(folder: Path) -> list[str]:
     """Return the sorted names of the data in a folder, i.e. of its files and of the rows of its
     tables. The list is empty if the folder does not exist."""
@@ -134,7 +145,7 @@ class _Table:
         for key in self.variables:
             if row[key]:
                 comment = f" # {_filled(self.said[key], row)}" if key in self.said else ""
-                lines.append(f"variable {key:<23} index {row[key]:<10}{comment}".rstrip())
+                lines.append(f"variable {key} index {row[key]}{comment}")
         return "\n".join([*lines, *self.common]) + "\n"
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Format results as text, with one line per value below the heading of its topic."""
 
+import math
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -12,7 +13,9 @@ class Row(NamedTuple):
 
     key: str
     label: str
-    unit: str | None  # SI unit, shown with a prefix; "" for a plain number; None for text
+    # SI unit, shown with a prefix; "deg" for radians shown in degrees, "" for a plain number, None
+    # for text
+    unit: str | None
     source: str = ""
     zero: str | None = None  # text that is shown instead of the value 0
 
@@ -48,11 +51,20 @@ FIGURES = {
         Row("h_min_m", "minimum film thickness", "m", "eq 6"),
         Row("h_c_m", "central film thickness", "m", "eq 9"),
         Row("lambda", "lambda ratio", "", "eq 7"),
-        Row("capacitance_F", "bearing", "F", "eq 12"),
+        Row("capacitance_F", "plates", "F", "contact ellipses, eq 12"),
         Row("capacitance_top_F", "largest of one ball", "F", "eqs 8, 10-12"),
         Row("cage_speed_rad_s", "cage speed", "rad/s"),
     )
 }
+
+
+# arrangement of the grooves of a bearing, as returned by `bearing.grooves`
+GROOVES = (
+    Row("four_point_rad", "four-point contact angle", "deg", "of centred balls"),
+    Row("row_spacing_m", "distance of the rows", "m"),
+    Row("row_preload_m", "preload of each row", "m"),
+    Row("arrangement", "arrangement of the rows", None),
+)
 
 
 def row(key: str, source: str | None = None) -> Row:
@@ -176,6 +188,8 @@ def _shown(value, unit, digits):
         return f"{value:g} rpm"
     if unit == "°C":
         return f"{value:.{digits}g} °C"
+    if unit == "deg":
+        return f"{math.degrees(value):.{digits}g} °"
     if unit == "1/GPa":
         return f"{value * 1e9:.{digits}g} 1/GPa"
     return prefixed(value, unit, digits) if unit else f"{value:.{digits}g}"

@@ -87,7 +87,7 @@ def read(path: FilePath, folder: FilePath | None = None) -> Case:
             )
         found = catalogue.find("bearings", name, folder)
         inputs.held(found, 0.0, one["clearance"])  # refuses a clearance as all commands do
-        names.append(name)
+        names.append(found.name)
         seats.append(
             Seat(
                 bearing=inputs.bearing(found),

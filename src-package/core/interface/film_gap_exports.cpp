@@ -130,4 +130,8 @@ FORMULA(double, thinning_work,
   return thinning_work(share, exponent, load, h_c, cut, edge);
 }
 
+FORMULA(double, power_law_cut, ()) { return raceway::power_law_cut; }
+
+FORMULA(double, film_gap_reach, ()) { return raceway::film_gap_reach; }
+
 FORMULA(double, hertz_energy, (double load, double elastic)) { return 0.4 * load * elastic; }

@@ -19,8 +19,11 @@
 
 namespace raceway {
 
-constexpr double power_law_cut = 1.0;    // load (N) below which the film thickness of a power law
-                                         // is constant
+constexpr double power_law_cut = 1.0;      // load (N) below which the film thickness of a power law
+                                           // is constant
+constexpr double film_gap_reach = 0.01;    // thickness, as a fraction of the ball's radius, above
+                                           // which a film is cut off. No film in a bearing is so
+                                           // thick; cutting it off would make the force jump
 
 template <class T> struct FilmGapT {
   T compression;    // x, m

@@ -28,9 +28,7 @@ struct FilmInGapPart : PartBase {
         moes = {p.model.lubricant, p.material.Eprime(), p.rolling_radius(1.0),
                 p.transverse_radius()};
     }
-    // The reach is wider than any film in a bearing, because the force would jump if part of a film
-    // were cut off.
-    double reach(const Raceway &p) const { return 0.01 * p.groove.ball_radius; }
+    double reach(const Raceway &p) const { return film_gap_reach * p.groove.ball_radius; }
     double widest(const Raceway &p) const { return share > 0.0 ? p.reach / share : p.reach; }
   };
 

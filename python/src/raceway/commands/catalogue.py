@@ -121,7 +121,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def _write(arguments):
-    from raceway import catalogue, files, inputs
+    from raceway import catalogue, data_table, files, inputs
 
     if len(arguments.words) != 1:
         raise inputs.InputError(
@@ -132,7 +132,7 @@ def _write(arguments):
         raise inputs.InputError(f"{path} already exists; remove it or choose another file name")
     text = inputs.text(catalogue.find("bearings", arguments.words[0], arguments.inputs))
     files.folder(path.parent)
-    files.text(path, text)
+    files.text(path, data_table.aligned(text))
     print(path)
 
 

@@ -204,8 +204,7 @@ def _check(arguments):
     complain = arguments.complain
     if arguments.rpm is None:
         complain("give --rpm: a film needs a speed")
-    if not all(point.get("load") or point.get("axial") for point in options.points(arguments)):
-        complain("a load is needed: give --load or --axial")
+    options.need_load(arguments)
     electric_run.check_pairs(arguments)
     several = _several(arguments)
     if arguments.kind == "parts" and len(several) != 1:

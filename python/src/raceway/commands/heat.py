@@ -118,8 +118,7 @@ def run(arguments: argparse.Namespace) -> None:
     points = options.points(arguments)
     if arguments.rpm is None:
         arguments.complain("give --rpm")
-    if not all(point.get("load") or point.get("axial") for point in points):
-        arguments.complain("a load is needed: give --load or --axial")
+    options.need_load(arguments)
     given = [name for name in ("out", "program", "passes") if getattr(arguments, name) is not None]
     if given and arguments.runs is None:
         arguments.complain(f"--{given[0]} applies to runs: give --runs")

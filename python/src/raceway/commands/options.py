@@ -272,6 +272,17 @@ def point(to: Any, name: str, said: str = "", kind: Any = None, several: bool = 
     )
 
 
+def need_load(arguments: argparse.Namespace) -> None:
+    """Complain unless a load or a preload determines the position of the ring at every point."""
+    for one in points(arguments):
+        preloaded = one.get("clearance", 0.0) < 0 or arguments.preload > 0
+        if not (one.get("load") or one.get("axial") or preloaded):
+            arguments.complain(
+                "a load or a preload is needed: give --load, --axial, a negative --clearance, or"
+                " --double-row with --preload"
+            )
+
+
 def points(arguments: argparse.Namespace) -> list[dict[str, float]]:
     """Return the operating points that the options of `point` request, i.e. all combinations of the
     given values."""

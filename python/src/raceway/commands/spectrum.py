@@ -26,10 +26,11 @@ periods of a line.
 --envelope computes the spectrum of the signal's envelope in a band around a resonance. It shows the
 rate at which flaws excite the resonance, with the sidebands due to the shaft and the cage.
 
-The kinematics assume that balls roll without slip at the measured contact angle. The last column
-gives the deviation from lines computed with the actual speeds of cage and balls in the run, which
-include slip. If the outer ring rotates, two lines are added: its rotation and VC, the rate at which
-balls pass the load; FTF is then the cage speed relative to the frame.
+The kinematics assume that balls roll without slip at the measured contact angle. The orders follow
+from the actual speeds of cage and balls in the run, which include slip; the last column gives the
+deviation from lines computed with these speeds. If the outer ring rotates, two lines are added: its
+rotation and VC, the rate at which balls pass the load; FTF is then the cage speed relative to the
+frame.
 
 --kind time draws the signal, or its envelope, as a function of time and frequency. If the speed of
 the shaft changes by more than 1 %, frequencies are replaced by orders of the shaft speed (inner
@@ -43,6 +44,7 @@ examples:
   raceway spectrum build/run/long --ring outer --signal ay --envelope --kind time
 
 Exit codes: 0 done, 1 the run is broken or has no such signal, 2 wrong command line."""
+ORDERS = "order: measured cage and balls; kinematics: balls that roll without slip"
 
 
 def add(one: argparse.ArgumentParser) -> None:
@@ -146,7 +148,8 @@ def _over_time(arguments, opened):
 def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
     """Return the `Line` objects `found` in the `spectrum` of a run or recording as text.
 
-    If the cage speed is known, the last column is the deviation from the lines that follow from it.
+    If the cage speed is known, the orders follow from it, and the last column is the deviation from
+    the lines that follow from it.
     """
     unit, resolution, of = spectrum.attrs["units"], spectrum.attrs["resolution"], spectrum.dims[0]
     fine = prefixed(resolution, "Hz", 3) if of == "frequency" else f"{resolution:.3g} orders"
@@ -176,6 +179,7 @@ def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> s
         )
         if cage:
             rows[-1] += f"{line.found / line.by_cage - 1:>+10.4%}"
+    rows += ["", "  " + ORDERS] if cage else []
     return "\n".join(rows)
 
 

@@ -13,8 +13,9 @@ HELP = "compute stiffness and damping for loads and speeds, for ROSS and other p
 DESCRIPTION = """\
 Computes stiffness and damping of the inner ring of a bearing from statics and films: 5 x 5 matrices
 in x, y, z, rx, ry, averaged over a ball pass, together with their smallest and largest values. The
-table has one row for each radial load and speed. Damping includes only the contributions of films
-and steel, and requires a lubricant.
+table has one row for each radial load and speed. The ring is in equilibrium untilted and, without
+an axial load, held along z, as in `raceway static`. Damping includes only the contributions of
+films and steel, and requires a lubricant.
 
 --out writes the results in a format that depends on the file name extension:
   .csv   a table with the units in its first line
@@ -61,9 +62,9 @@ def add(one: argparse.ArgumentParser) -> None:
         "--phases",
         type=int,
         choices=range(1, 65),
-        default=8,
         metavar="N",
-        help="number of ball positions within a ball pass, from 1 to 64 (default: 8)",
+        help="number of evenly spaced ball positions within a ball pass, from 1 to 64 (default:"
+        " more where the stiffness changes fast, for errors of at most 0.2 %%)",
     )
     one.add_argument(
         "--node", type=int, default=0, metavar="N", help="for .toml: node of the rotor (default: 0)"

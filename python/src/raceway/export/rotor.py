@@ -22,7 +22,7 @@ from raceway.arrays import Floats
 from raceway.errors import RacewayError, RunWarning
 from raceway.files import FilePath
 from raceway.theory.bearing import Bearing, DoubleRow
-from raceway.theory.ring_response import LAWS, PHASES, OverPass, turning_ring
+from raceway.theory.ring_response import LAWS, OverPass, turning_ring
 from raceway.theory.shaft import Carried
 from raceway.theory.small_motion import SLOW
 from raceway.theory.static import FREEDOMS, STRAIGHT
@@ -56,7 +56,7 @@ def points(
     models: str = "full",
     folder: FilePath | None = None,
     frequency: float | None = None,
-    phases: int = PHASES,
+    phases: int | None = None,
     four_point: float | None = None,
     double_row: DoubleRow | None = None,
     **options: Any,
@@ -68,11 +68,11 @@ def points(
     names are accepted for `lubricant`. `four_point` and `double_row` are as in `inputs.bearing`. If
     no lubricant is given, there is no damping. `models` is paper or full, and `temperature` is in
     degrees C. `frequency` is the vibration frequency in rad/s; by default it is the shaft speed, as
-    rotor programs assume for their tables. `axial` is in N; `options` (clearance, held, moment,
-    ball_density) are passed to `static.equilibrium`. By default, the tilts are held at 0. If the
-    bearing comes from a file, so does the density of its balls, and the ring is also held along z
-    if there is no axial load (`inputs.held`). Raises `RacewayError`, or `ValueError` for a number
-    out of range.
+    rotor programs assume for their tables. `phases` is as in `ring_response.over_pass`. `axial` is
+    in N; `options` (clearance, held, moment, ball_density) are passed to `static.equilibrium`. By
+    default, the tilts are held at 0. If the bearing comes from a file, so does the density of its
+    balls, and the ring is also held along z if there is no axial load (`inputs.held`). Raises
+    `RacewayError`, or `ValueError` for a number out of range.
     """
     if models not in LAWS:
         raise ValueError(f"models '{models}' is not one of {', '.join(LAWS)}")

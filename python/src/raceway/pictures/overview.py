@@ -67,11 +67,12 @@ def _subtitle(figures):
     parts = (
         ("largest contact load", "q_max_N", "N"),
         ("inner pressure", "p_max_inner_Pa", "Pa"),
-        ("displacement", "ring_shift_m", "m"),
+        ("radial displacement", "ring_shift_m", "m"),
+        *([("axial displacement", "shift_z_m", "m")] if figures["axial_N"] else []),
         ("inner $h_{min}$", "h_min_m", "m"),
         ("Λ", "lambda", ""),
         ("friction torque", "friction_torque_N_m", "N m"),
-        ("capacitance", "capacitance_F", "F"),
+        ("plates", "capacitance_F", "F"),
     )
     return "    ".join(
         f"{name} {prefixed(figures[field], unit, 3)}"
@@ -149,10 +150,10 @@ def _capacitance(axes, tables):
     against_time(axes, tables, len(total))
     finish(
         axes,
-        "Capacitance",
+        "Capacitance of the contact ellipses",
         1.22 * total.max() * factor,
         [
-            key("bearing", color=INK, lw=2.4),
+            key("all balls", color=INK, lw=2.4),
             key("one ball, inner and outer in series", color=BALL, lw=1.6),
         ],
     )

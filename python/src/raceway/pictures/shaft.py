@@ -40,7 +40,7 @@ def picture(case: Case, rest: Rest, path: FilePath) -> None:
         for (name, moved, slope), colour in zip(planes, PALETTE):
             axes[0].plot(*_scaled(line(rest.z, moved, slope), factor), color=colour, label=name)
         axes[0].axhline(0, color=FAINT, lw=1, zorder=0)
-        axes[0].set(ylabel=f"displacement ({unit})")
+        axes[0].set(ylabel=f"transverse displacement ({unit})")
         axes[0].legend(loc="best")
         axes[0].set_title(f"Shaft on {len(case.seats)} bearings", pad=34)
         start = 0.0

@@ -13,11 +13,8 @@ from raceway.runs.measured import loading
 from raceway.runs.tables import RunTables
 from raceway.theory import makers
 
-KEYS = (
-    "friction_torque_N_m power_loss_W losses_W torque_skf_N_m torque_palmgren_N_m asperity_share"
-).split()
+KEYS = ("friction_torque_N_m", "power_loss_W", "losses_W", *makers.KEYS, "asperity_share")
 STILL = 1e-9  # rad/s, relative speed below which the rings count as being at rest
-FEW = 1e-2  # fraction of the radial force below which an axial force is considered ripple
 
 
 def friction(tables: RunTables) -> dict[str, Any]:
@@ -29,7 +26,8 @@ def friction(tables: RunTables) -> dict[str, Any]:
       loss (`columns.LOSSES`)
     - `asperity_share`: fraction of the load carried by asperities, at the largest inner load
     - `torque_skf_N_m`, `torque_palmgren_N_m`: values from the makers' formulas for the measured
-      forces, if the files of bearing and lubricant are available and have the required data
+      forces, if the files of bearing and lubricant are available, or the reason why a formula does
+      not apply
     """
     totals = tables.total_columns
     result: dict[str, Any] = dict.fromkeys(KEYS)
@@ -49,8 +47,7 @@ def friction(tables: RunTables) -> dict[str, Any]:
 
 
 def _makers(tables):
-    """Return the torques of SKF, with the oil level at the centre of the lowest ball, and Palmgren
-    in N m."""
+    """Return the `makers.torques` at the measured forces."""
     settings = tables.settings
     load = loading(tables)
     if not tables.lubricated or load is None or "fz" not in tables.ring_columns:
@@ -60,17 +57,15 @@ def _makers(tables):
         fluid = inputs.fluid(catalogue.find("lubricants", settings["lubricant"]))
     except inputs.InputError:
         return {}
-    if boundary is None or math.isnan(fluid.density):
+    if math.isnan(fluid.density):
         return {}
-    radial, axial = load.radial, abs(load.axial)
-    axial = axial if axial > FEW * radial else 0.0
     nu = 1e6 * settings["viscosity_Pa_s"] / fluid.density
-    level = 500 * settings["ball_diameter_m"]  # mm above the lowest raceway
-    rpm = abs(settings["rpm"])
-    own = makers.skf(boundary, radial, axial, rpm, nu, level=level)
-    result = {"torque_skf_N_m": 1e-3 * float(own.total)}
-    if not axial:
-        result["torque_palmgren_N_m"] = 1e-3 * float(
-            sum(makers.palmgren(boundary, radial, rpm, nu))
-        )
-    return result
+    return makers.torques(
+        boundary,
+        load.radial,
+        load.axial,
+        abs(settings["rpm"]),
+        nu,
+        settings["ball_diameter_m"],
+        one_groove=not tables.record.two_grooves,
+    )

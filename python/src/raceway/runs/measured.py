@@ -16,13 +16,14 @@ from raceway.theory.bearing import INNER, OUTER
 from raceway.units import prefixed
 
 FEW = 0.05  # fraction of the radial load or displacement above which the load is not purely radial
-LITTLE = 0.01  # fraction of a load below which values are omitted from the title
+LITTLE = 0.01  # fraction of a load below which another one is only ripple
 TURNED = 0.1  # rad; a load whose direction varies by more than this does not count as steady
 
 
 def measured(tables: RunTables) -> dict[str, float | None]:
     """Return means over the window in SI units; quantities that the run did not record are None.
 
+    - `axial_N`: `axial_load`
     - `force_x_N`, `force_y_N`, `force_z_N`: force of balls and cage on the inner ring
     - `moment_x_N_m`, `moment_y_N_m`: moment of these forces on the ring
     - `shift_z_m`, `tilt_x_rad`, `tilt_y_rad`: axial displacement and tilt of the ring
@@ -44,6 +45,7 @@ def measured(tables: RunTables) -> dict[str, float | None]:
             ("tilt_y_rad", "tilt_2"),
         )
     }
+    result["axial_N"] = axial_load(tables)
     inner, outer = rpm(tables)
     against = np.abs(inner - outer)
     kept = _kept(tables)
@@ -101,6 +103,17 @@ def loading(tables: RunTables) -> Loading | None:
     axial = -mean(rings["fz"]) if "fz" in rings else 0.0
     # The ball-pass ripple rotates the direction of a steady load by less than this angle.
     return Loading(radial, axial, bool(abs(force.mean()) < math.cos(TURNED) * radial))
+
+
+def axial_load(tables: RunTables) -> float | None:
+    """Return the axial load in N, as set or as measured, or None if it is unknown. A measured load
+    that is only ripple counts as 0."""
+    if (told := tables.settings.get("axial_N")) is not None:
+        return float(told)
+    load = loading(tables)
+    if load is None or "fz" not in _window(tables):
+        return None
+    return load.axial if abs(load.axial) > LITTLE * load.radial else 0.0
 
 
 def load_parameter(tables: RunTables, displacement: float) -> float | str | None:

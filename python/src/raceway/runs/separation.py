@@ -13,8 +13,6 @@ from raceway.runs.tables import RunTables
 from raceway.theory import film, film_gap, hertz
 from raceway.theory.bearing import INNER, Bearing
 
-REACH = 0.01  # largest film that *gap* takes into account, as a fraction of the ball's radius
-
 
 class GapFilm(NamedTuple):
     """A film in the gap between ball and raceway (keywords *gap* and *gap_film*)."""
@@ -55,7 +53,7 @@ def of_raceway(
     load, thick = table["load"].to_numpy(), table["h_c"].to_numpy()
     live = load > 0
     if within and within.all_regimes:
-        onset, apart = REACH * bearing.ball_radius, np.where(live, thick, 0.0)
+        onset, apart = film_gap.REACH * bearing.ball_radius, np.where(live, thick, 0.0)
         beyond = gap
     else:
         r_x, r_y = bearing.effective_radii(side, 0.0, clearance)

@@ -42,6 +42,7 @@ UNUSED = {
     *("none", "inner_shoulder_diameter", "outer_shoulder_diameter", "cage_ball_diameter"),
     *("pocket_play", "inner_mass", "inner_inertia", "inner_inertia_t"),
 }
+ROUNDING = 1e-9  # fraction of the larger tilt below which the other is a rounding error
 SAME = 1e-6  # relative difference below which data of the run and of the file count as equal
 
 
@@ -116,10 +117,11 @@ def _turned(shares, found, tables):
     about the axes of the load line."""
     azimuth = tables.settings["load_azimuth_rad"]
     x, y = (_mean(shares, found, key) for key in ("tilt_x_rad", "tilt_y_rad"))
-    return (
+    turned = (
         x * math.cos(azimuth) - y * math.sin(azimuth),
         x * math.sin(azimuth) + y * math.cos(azimuth),
     )
+    return [tilt if abs(tilt) > ROUNDING * max(map(abs, turned)) else 0.0 for tilt in turned]
 
 
 def need_steady_point(tables: RunTables) -> None:

@@ -28,7 +28,7 @@ from raceway.runs.summary_table import reasons as reasons
 from raceway.runs.summary_table import shown as shown
 from raceway.runs.summary_table import table as table
 from raceway.runs.tables import RunTables
-from raceway.theory import models
+from raceway.theory import makers, models
 from raceway.theory.bearing import OUTER
 from raceway.theory.validity import Shoulders, doubts, held, past_shoulder
 
@@ -73,8 +73,9 @@ def summary(tables: RunTables) -> dict[str, Any]:
     )
     result = {key: _plain(value) for key, value in result.items()}
     result["absent"] = models.absent(result["models"], result)
-    if isinstance(why := result["load_parameter"], str):
-        result["absent"]["load_parameter"] = why
+    for key in ("load_parameter", *makers.KEYS):
+        if isinstance(why := result[key], str):
+            result["absent"][key] = why
     result.update(dict.fromkeys(result["absent"]))
     result["warnings"] = _warnings(tables, result)
     if (cage := cage_figures(tables)) is not None:

@@ -2,6 +2,7 @@
 """The summary of a run as text: its rows by topic, and what is too small to be shown."""
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 from raceway.rows import Row, lines, row, warning_lines
@@ -22,6 +23,7 @@ TOPICS = {
         row("lubricant"),
         Row("temperature_C", "temperature", "°C", "of the lubricant"),
         row("load_N", "as set, or measured"),
+        Row("axial_N", "axial load", "N", "as set, or measured"),
         Row("rpm", "speed of inner relative to outer", "rpm", "as set, or measured"),
         Row("rpm_inner", "  inner ring", "rpm", "mean"),
         Row("rpm_outer", "  outer ring", "rpm", "mean"),
@@ -41,7 +43,7 @@ TOPICS = {
         Row("force_y_N", "force of the balls along y", "N", "mean"),
         Row("force_z_N", "force of the balls along z", "N", "mean"),
         Row("ring_shift_m", "radial displacement", "m", "mean along the load, fig A.1"),
-        row("shift_z_m", "mean"),
+        row("shift_z_m", "mean, relative to the start"),
         row("tilt_x_rad", "mean"),
         row("tilt_y_rad", "mean"),
         row("load_parameter"),
@@ -62,9 +64,9 @@ TOPICS = {
         row("lambda"),
     ),
     "Capacitance": (
-        row("capacitance_F", "mean, eq 12"),
+        row("capacitance_F", "contact ellipses, eq 12, mean"),
         row("capacitance_top_F"),
-        Row("capacitance_total_F", "including surroundings", "F", "mean"),
+        Row("capacitance_total_F", "bearing", "F", "with surroundings of the ellipses, mean"),
     ),
     "Kinematics": (
         row("cage_speed_rad_s", "mean of (x v_y - y v_x)/r^2"),
@@ -180,6 +182,7 @@ def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
         **dict.fromkeys(row.key for row in warming.ROWS),
         **result,
         **{key: why for key, why in figures["absent"].items() if key in models.HEADLINES},
+        **{key: figures[key] and Path(figures[key]).name for key in ("bearing", "lubricant")},
         **{f"loss_{part}_W": loss or None for part, loss in losses.items()},
         **{f"flaw_{name}": flaws.get(name) for name in NAME.values()},
         "flaw_ball": "; ".join(f"{at}: {w}" for at, w in flaws.items() if at.startswith("ball"))
@@ -195,6 +198,8 @@ def _nothing(key, figures):
         return abs(value) < SHOWN[key] * max(abs(figures[name] or 0.0) for name in SHOWN)
     if key in STILL:
         return abs(value) < STILL[key]
+    if key == "axial_N":
+        return not value
     if key in ("rpm_least", "rpm_most", "rpm_top"):
         return figures["rpm_most"] - figures["rpm_least"] < STEADY * figures["rpm_most"]
     if key in ("rpm_inner", "rpm_outer"):

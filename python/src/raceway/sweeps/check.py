@@ -33,8 +33,8 @@ OF_IMPLICIT = (*TOLERANCES, "step_error", "step_control")
 LEFT_OUT = (
     *("wall_s", "real_time_factor", "processor_s", "evaluations"),
     *("step_s", "simulated_s", "passes"),
-    *("load_N", "rpm", "clearance_m", "viscosity_Pa_s", "pressure_viscosity_per_Pa"),
-    *("permittivity", "roughness_m"),
+    *("load_N", "axial_N", "rpm", "clearance_m", "viscosity_Pa_s"),
+    *("pressure_viscosity_per_Pa", "permittivity", "roughness_m"),
     *KEYS.values(),
     ORBIT,
 )

@@ -32,6 +32,13 @@ class DoubleRow(NamedTuple):
     arrangement: str = "back_to_back"  # one of `ARRANGEMENTS`
 
 
+def grooves(four_point: float | None, double_row: DoubleRow | None) -> dict[str, Any]:
+    """Return a four-point contact angle in rad and the data of two rows as results of a command,
+    with the keys of `rows.GROOVES`; those of two rows only if there are two."""
+    names = ("row_spacing_m", "row_preload_m", "arrangement")
+    return {"four_point_rad": four_point, **dict(zip(names, double_row or ()))}
+
+
 @dataclass(frozen=True)
 class Layout:
     """Axial positions of rows and grooves in m, relative to the point where loads act. By default

@@ -24,7 +24,7 @@ from raceway.theory import (
     lubrication,
 )
 from raceway.theory.asperity import clarke
-from raceway.theory.bearing import Bearing, DoubleRow
+from raceway.theory.bearing import Bearing, DoubleRow, grooves
 from raceway.theory.capacitors import FLOODED, BearingCapacitors, Filling
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import Lubrication
@@ -186,6 +186,7 @@ def solve(
         over = ball_pass.over(placed, body.balls, lambda found: found[0].inner.load)
     else:
         over = [(1.0, placed(phase))]
+    arch = inputs.four_point_angle(path) if four_point is None else four_point
     own = inputs.shoulders(path)
     known = [b if math.isnan(a) else a for a, b in zip(filling.shoulders, own)]
     return Point(
@@ -198,6 +199,7 @@ def solve(
             axial_N=axial,
             clearance_m=clearance + body.play(inputs.nominal_angle(path)),
             rpm=rpm,
+            **grooves(arch, double_row),
             surroundings=filling.kind,
         ),
         body,
@@ -207,7 +209,7 @@ def solve(
         clearance,
         film,
         filling._replace(shoulders=type(own)(*known)),
-        inputs.four_point_angle(path) if four_point is None else four_point,
+        arch,
     )
 
 
@@ -256,7 +258,9 @@ def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
         ),
         metallic_contacts=max(int(sum(side.sum() for side in one)) for one in metallic),
     )
-    result["lambda"] = np.atleast_2d(films.inner.ratio)[:, top].max()
+    result["lambda"] = films.inner.ratio.flat[
+        np.argmax(point.places[point.heaviest].state.inner.load)
+    ]
     result.update(_field(gaps, parts, oil, ask))
     result.update(_impedance(point, every, ask))
     result.update(bearing_voltage_ratio=None, measured_F=ask.measured)

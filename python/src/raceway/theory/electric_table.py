@@ -6,11 +6,11 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from raceway.rows import Row, aligned, lines, row, several, warning_lines
+from raceway.rows import GROOVES, Row, aligned, lines, row, several, warning_lines
 from raceway.units import prefixed
 
 PARTS = (
-    row("capacitance_F", "contact ellipses, eq 12")._replace(label="plates"),
+    row("capacitance_F"),
     Row("capacitance_surroundings_F", "around the ellipses", "F", "loaded balls"),
     Row("capacitance_unloaded_F", "balls without load", "F"),
     Row("capacitance_total_F", "bearing", "F", "sum"),
@@ -28,6 +28,7 @@ TOPICS = {
         row("load_N"),
         Row("axial_N", "axial load", "N"),
         row("clearance_m"),
+        *GROOVES,
         row("rpm"),
         row("h_c_m", "largest inner load"),
         row("lambda", "largest inner load"),
@@ -73,8 +74,10 @@ COLUMNS = (  # columns of `curves`: key, heading, factor
 
 
 def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
-    """Return electrical results with the Hertz area in mm² and angles with two decimals."""
-    found = dict(figures, hertz_area_m2=f"{1e6 * figures['hertz_area_m2']:.4g} mm²")
+    """Return electrical results with the Hertz area in mm², angles with two decimals, and grooves
+    that do not exist as None."""
+    area = f"{1e6 * figures['hertz_area_m2']:.4g} mm²"
+    found = dict.fromkeys(one.key for one in GROOVES) | dict(figures, hertz_area_m2=area)
     for key in ("threshold_azimuth_deg", "phase_deg"):
         found[key] = found[key] and round(found[key], 2) + 0.0
     return found

@@ -15,7 +15,8 @@ from numpy.typing import ArrayLike
 from raceway.arrays import Numbers
 from raceway.core import laws
 
-CUT = 1.0  # N, default load below which a power law is replaced by a constant thickness
+CUT = float(laws.power_law_cut())  # N, default load below which a power law becomes constant
+REACH = float(laws.film_gap_reach())  # largest film, as a fraction of the ball's radius
 
 
 class Squeeze(NamedTuple):

@@ -78,6 +78,11 @@ class Boundary:
         return K_Z_ANGULAR if self.series in ANGULAR else K_Z
 
 
+FEW = 0.01  # fraction of the radial force below which `torques` neglects an axial force
+# keys of the results of `torques`
+KEYS = ("torque_skf_N_m", "torque_palmgren_N_m")
+
+
 class Torque(NamedTuple):
     """SKF's friction torque in N mm, and its components."""
 
@@ -189,3 +194,35 @@ def palmgren(
     static = load if static_load is None else static_load
     f1 = 0.0004 * (static / bearing.static_rating) ** 0.55
     return (bath * moved * bearing.mean**3)[()], f1 * load * bearing.mean
+
+
+def torques(
+    bearing: Boundary | None,
+    radial: float,
+    axial: float,
+    speed: float,
+    kinematic: float,
+    ball_diameter: float,
+    *,
+    one_groove: bool = True,
+) -> dict[str, float | str]:
+    """Return the torques (N m) in an oil bath up to the middle of the lowest ball with the keys
+    `KEYS`, or the reason why a formula does not apply. `radial` and `axial` are the forces of the
+    balls on a ring; an axial force that is small beside the radial one is neglected.
+    `ball_diameter` is in m; the other arguments are as in `skf`. `one_groove` is False if a ring
+    has several grooves.
+
+    >>> list(torques(None, 1000.0, 0.0, 1500.0, 46.0, 12.6e-3).values())
+    ["the bearing's file does not state its series", "the bearing's file does not state its series"]
+    """
+    if not one_groove:
+        return dict.fromkeys(KEYS, "the formula is for one groove per ring")
+    if bearing is None:
+        return dict.fromkeys(KEYS, "the bearing's file does not state its series")
+    level = 500 * ball_diameter  # mm above the lowest raceway
+    axial = axial if abs(axial) > FEW * radial else 0.0
+    whole = skf(bearing, radial, axial, speed, kinematic, level=level).total
+    palmgrens: float | str = "the formula is for radial loads"
+    if not axial:
+        palmgrens = 1e-3 * float(sum(palmgren(bearing, radial, speed, kinematic)))
+    return dict(zip(KEYS, (1e-3 * float(whole), palmgrens)))

@@ -19,7 +19,6 @@ from raceway.files import FilePath
 from raceway.theory import (
     cage_drag,
     contact_friction,
-    excursion,
     life,
     makers,
     operating_life,
@@ -29,7 +28,7 @@ from raceway.theory import (
     validity,
 )
 from raceway.theory import models as model_names
-from raceway.theory.bearing import INNER, DoubleRow, Layout
+from raceway.theory.bearing import INNER, DoubleRow, Layout, grooves
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.oil_supply import BATH, Supply
 from raceway.theory.operating_balls import balls
@@ -127,7 +126,7 @@ def figures(
     orbit = float(np.mean(found.orbit))  # averaged over all rows
     result = dict(
         bearing=path.name,
-        lubricant=None if oil is None else str(lubricant),
+        lubricant=None if oil is None else _lubricant(lubricant, folder).name,
         temperature_C=None if oil is None or math.isnan(fluid.temperature) else fluid.temperature,
         models=models,
         friction_torque_N_m=None,
@@ -139,8 +138,8 @@ def figures(
         moment_y_N_m=moment[1],
         clearance_m=clearance + body.play(nominal),
         rpm=rpm,
-        four_point_rad=four_point,
         orbital_speed_rad_s=orbit,
+        **grooves(four_point, double_row),
         exact_circle=exact_circle,
         centrifugal_N=4
         / 3
@@ -152,8 +151,6 @@ def figures(
     )
     if found.motion is not None:
         result.update(zip(ROTATION, found.motion.rotation))
-    if double_row is not None:
-        result.update(zip(("row_spacing_m", "row_preload_m", "arrangement"), double_row))
     result.update(
         operating_ring.displacement(state, load, axial, moment, held, clearance, body.pitch_radius)
     )
@@ -181,22 +178,26 @@ def figures(
     if films is not None:
         result.update(_films(oil, films, state))
         result.update(operating_ring.damping(body, state, films, oil, models, clearance))
-    lost = ahead = doubts = None
+    lost = doubts = None
     if friction is not None:
         lost = found.losses()
-        ahead = lost.advance
         inner = lost.asperity_share[: body.raceways.count(INNER)]
         result.update(
             film_factor=film.factor(result["entrainment_speed_m_s"]),
-            **_makers(body, inputs.boundary(path), load, axial, abs(rpm), fluid.kinematic),
+            **makers.torques(
+                inputs.boundary(path),
+                math.hypot(*state.force[:2]),
+                -state.force[2],
+                abs(rpm),
+                fluid.kinematic,
+                body.ball_diameter,
+                one_groove=body.layout == Layout(),
+            ),
             friction_torque_N_m=lost.power / abs(spin),
             losses_W=lost.parts,
             asperity_share=inner.flat[np.argmax(state.inner.load)],
         )
-    if ahead is None and body.layout == Layout():
-        ahead = excursion.excursion(
-            body, found.rolling, spin, lost and lost.friction, cage and cage.play or None
-        )
+    ahead = operating_warnings.advance(found, lost, cage)
     if lost is not None:
         doubts = operating_warnings.of_friction(found, lost.friction, ahead)
         needed = doubts.gyroscopic
@@ -212,9 +213,11 @@ def figures(
         result["warnings"] += doubts.warnings
         low, high = (end * result["friction_torque_N_m"] for end in doubts.ends)
         result["ranges"] = {"friction_torque_N_m": dict(low=low, high=high)}
-    if ahead is not None and (text := excursion.warning(ahead)):
-        result["warnings"].append(text)
+    result["warnings"] += operating_warnings.restrained(ahead)
     result["absent"] = model_names.absent(models, result) if wet else {}
+    for key in makers.KEYS:
+        if isinstance(why := result.get(key), str):
+            result["absent"][key], result[key] = why, None
     if wet and (assumed := inputs.assumed(_lubricant(lubricant, folder), models)):
         result["assumed_data"] = assumed
     result["balls"] = plain(balls(state, films))
@@ -261,16 +264,3 @@ def _complete(fluid, models):
             f"models {models} need {', '.join(missing)} of the lubricant, which its file lacks"
         )
     return fluid
-
-
-def _makers(body, boundary, load, axial, rpm, viscosity):
-    """Return the torque by the makers' formulas, which are valid for one groove per ring and, in
-    the case of Palmgren's, for radial loads, if the file has the required data."""
-    if boundary is None or body.layout != Layout():
-        return dict(torque_skf_N_m=None, torque_palmgren_N_m=None)
-    level = 500 * body.ball_diameter  # mm above the lowest raceway, i.e. at the middle of a ball
-    palmgren = None if axial else 1e-3 * sum(makers.palmgren(boundary, load, rpm, viscosity))
-    return dict(
-        torque_skf_N_m=1e-3 * makers.skf(boundary, load, axial, rpm, viscosity, level=level).total,
-        torque_palmgren_N_m=palmgren,
-    )

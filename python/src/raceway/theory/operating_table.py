@@ -5,11 +5,19 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from raceway.rows import Row, aligned, lines, row, several, warning_lines
+from raceway.rows import GROOVES, Row, aligned, lines, row, several, warning_lines
 from raceway.sweeps import variable_table
 from raceway.theory import models
 from raceway.units import prefixed
 
+LOSSES = (
+    Row("loss_rolling_W", "hydrodynamic rolling", "W", "Biboulet-Houpert"),
+    Row("loss_slip_W", "differential slip", "W", "Heathcote"),
+    Row("loss_spin_W", "spin", "W"),
+    Row("loss_hysteresis_W", "hysteresis", "W"),
+    Row("loss_drag_W", "drag of the balls", "W"),
+    Row("loss_cage_W", "cage", "W", "oil in its pockets, churning, friction"),
+)
 TOPICS = {
     "Operating point": (
         row("bearing"),
@@ -21,10 +29,7 @@ TOPICS = {
         Row("moment_x_N_m", "moment about x", "N m"),
         Row("moment_y_N_m", "moment about y", "N m"),
         row("clearance_m"),
-        Row("four_point_rad", "four-point contact angle", "°", "of centred balls"),
-        Row("row_spacing_m", "distance of the rows", "m"),
-        Row("row_preload_m", "preload of each row", "m"),
-        Row("arrangement", "arrangement of the rows", None),
+        *GROOVES,
         row("rpm"),
         Row("orbital_speed_rad_s", "cage speed", "rad/s", "rolling, Harris ch. 10"),
         Row("sliding_orbit_rad_s", "cage speed", "rad/s", "balance of the balls with friction"),
@@ -42,7 +47,7 @@ TOPICS = {
         row("tilt_x_rad", "Harris ch. 7"),
         row("tilt_y_rad", "Harris ch. 7"),
         row("load_parameter"),
-        Row("stiffness_x_N_m", "stiffness along x", "N/m", "d(load)/d(displacement)"),
+        Row("stiffness_x_N_m", "stiffness along x", "N/m", "the others held"),
         Row("stiffness_z_N_m", "stiffness along z", "N/m", "the others held"),
         Row("stiffness_ry_N_m_rad", "tilting stiffness about y", "N m/rad", "the others held"),
     ),
@@ -59,7 +64,7 @@ TOPICS = {
         row("q_outer_max_N"),
         row("p_max_inner_Pa"),
         row("p_max_outer_Pa"),
-        Row("angle_max_rad", "largest contact angle", "°", "of balls above 1 % of that load"),
+        Row("angle_max_rad", "largest contact angle", "deg", "of balls above 1 % of that load"),
     ),
     "Rating life": (
         Row("static_safety", "static safety", "", "(4.2 GPa/p)^3, ISO 76"),
@@ -92,12 +97,7 @@ TOPICS = {
         Row("friction_torque_N_m", "of the inner ring", "N m", "power over speed"),
         Row("torque_skf_N_m", "SKF, oil to the middle of a ball", "N m", "10000 EN 2013"),
         Row("torque_palmgren_N_m", "Palmgren, oil bath", "N m"),
-        Row("loss_rolling_W", "hydrodynamic rolling", "W", "Biboulet-Houpert"),
-        Row("loss_slip_W", "differential slip", "W", "Heathcote"),
-        Row("loss_spin_W", "spin", "W"),
-        Row("loss_hysteresis_W", "hysteresis", "W"),
-        Row("loss_drag_W", "drag of the balls", "W"),
-        Row("loss_cage_W", "cage", "W", "oil in its pockets, churning, friction"),
+        *LOSSES,
         Row("gyroscopic_friction", "friction coefficient needed", "", "against gyroscopic sliding"),
     ),
     "Capacitance": (row("capacitance_F"), row("capacitance_top_F")),
@@ -153,8 +153,9 @@ def table(result: Mapping[str, Any]) -> str:
     filled = {row.key: result.get(row.key) for rows in TOPICS.values() for row in rows}
     filled.update({key: why for key, why in result["absent"].items() if key in models.HEADLINES})
     filled.update({f"loss_{part}_W": loss for part, loss in (result["losses_W"] or {}).items()})
-    for key in ("angle_max_rad", "four_point_rad"):
-        filled[key] = None if filled[key] is None else math.degrees(filled[key])
+    for axis in "xy":  # the moment on a tilt that is held is the one that holds it
+        if filled[f"support_r{axis}_N_m"] is not None:
+            filled[f"moment_{axis}_N_m"] = None
     if not filled["rpm"]:
         filled.update(orbital_speed_rad_s=None, centrifugal_N=None)
     if filled["ball_axial_rad_s"] is not None:

@@ -6,9 +6,11 @@ from typing import NamedTuple
 import numpy as np
 
 from raceway.arrays import Floats
-from raceway.theory import ball_motion, life, validity
-from raceway.theory.bearing import Bearing
+from raceway.theory import ball_motion, excursion, life, validity
+from raceway.theory.bearing import Bearing, Layout
+from raceway.theory.cage_drag import CageRing
 from raceway.theory.excursion import Excursion
+from raceway.theory.friction_torque import Losses
 from raceway.theory.running import Running
 
 
@@ -31,6 +33,23 @@ def wide_grooves(body: Bearing) -> list[str]:
             *life.CONFORMITY, *wide
         )
     ]
+
+
+def advance(run: Running, lost: Losses | None, cage: CageRing | None) -> Excursion | None:
+    """Return the motion of balls relative to their `cage`, or None if a ring has several grooves or
+    rows. `lost` are the losses of the bearing, or None if it has no friction."""
+    if lost is not None and lost.advance is not None:
+        return lost.advance
+    if run.bearing.layout != Layout():
+        return None
+    friction, play = lost and lost.friction, cage and cage.play or None
+    return excursion.excursion(run.bearing, run.rolling, run.ring, friction, play)
+
+
+def restrained(ahead: Excursion | None) -> list[str]:
+    """Return a list with a warning if balls that run `ahead` of their cage press against it."""
+    text = ahead and excursion.warning(ahead)
+    return [text] if text else []
 
 
 def of_friction(run: Running, friction: Floats, ahead: Excursion | None) -> OfFriction:

@@ -14,7 +14,7 @@ import numpy as np
 from raceway.arrays import Floats
 from raceway.inputs import Oil
 from raceway.theory import damping, film_damping, hertz
-from raceway.theory.ball_pass import places
+from raceway.theory.ball_pass import places, refined
 from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubricant import Fluid
@@ -23,7 +23,8 @@ from raceway.theory.models import DEFAULT
 from raceway.theory.small_motion import Response, response
 from raceway.theory.static import Equilibrium, equilibrium
 
-PHASES = 8  # number of positions of the balls in a ball pass
+# sign of each degree of freedom in a mirror image on the other side of the plane of x and z
+MIRRORED = np.array([1, -1, 1, -1, 1])
 # laws of the contact dampers for each of the models
 LAWS = {"paper": "steel and squeeze film, eqs 4 and 5", "full": "steel, eq 4, and film branch"}
 LAWS["eyring"] = LAWS["full"]
@@ -93,24 +94,54 @@ def dampers(
     return Dampers(*np.concatenate(sides, axis=1))
 
 
-def over_pass(at: Callable[[float], Response], balls: int, phases: int = PHASES) -> OverPass:
-    """Evaluate `at`(phase in rad) at `phases` equidistant positions within one ball pass of a
-    bearing with `balls` balls, and return the results as an `OverPass`.
+def over_pass(
+    at: Callable[[float], tuple[Response, Floats]],
+    balls: int,
+    phases: int | None = None,
+    *,
+    symmetric: bool = False,
+) -> OverPass:
+    """Return the `OverPass` of a bearing with `balls` balls. `at`(azimuth of the first ball in rad)
+    returns the `Response` and the loads of the inner contacts.
+
+    By default, `ball_pass.refined` selects the positions of the balls for the diagonals of both
+    matrices. `phases` selects that number of evenly spaced positions instead. `symmetric` is as in
+    `ball_pass.over`, for the plane of x and z.
 
     >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
-    >>> still = lambda phase: response(equilibrium(b, 3000.0, phase=phase).linear, 0.0)
-    >>> found = over_pass(still, 9, 16)
-    >>> print(*(f"{one.stiffness[1, 1]:.4g}" for one in found))
-    1.222e+08 1.114e+08 1.354e+08
+    >>> def still(phase):
+    ...     rest = equilibrium(b, 3000.0, phase=phase)
+    ...     return response(rest.linear, 0.0), rest.inner.load
+    >>> for found in (over_pass(still, 9, symmetric=True), over_pass(still, 9, 64)):
+    ...     print(*(f"{one.stiffness[1, 1]:.4g}" for one in found))
+    1.22e+08 1.103e+08 1.354e+08
+    1.22e+08 1.106e+08 1.354e+08
     """
-    if phases < 1:
+    if phases is not None and phases < 1:
         raise ValueError(f"{phases} phases of a ball pass: give 1 or more")
-    found = [at(phase) for phase in places(balls, phases).tolist()]
-    both = [np.array(part) for part in zip(*found)]
+    if phases is None:
+        found = refined(at, balls, _loads, _diagonals, symmetric=symmetric)
+    else:
+        found = [(1 / phases, at(phase)) for phase in places(balls, phases).tolist()]
+    shares = [share for share, _ in found]
+    both = [np.array(part) for part in zip(*(one for _, (one, _) in found))]
+    if phases is None and symmetric:
+        sign = np.outer(MIRRORED, MIRRORED)
+        shares, both = [*shares, *shares], [np.concatenate([one, sign * one]) for one in both]
     return OverPass(
-        *(Response(*(how(one, axis=0) for one in both)) for how in (np.mean, np.min, np.max))
+        Response(*(np.average(one, axis=0, weights=shares) for one in both)),
+        Response(*(one.min(0) for one in both)),
+        Response(*(one.max(0) for one in both)),
     )
+
+
+def _loads(found):
+    return found[1]
+
+
+def _diagonals(found):
+    return np.concatenate([np.diag(matrix) for matrix in found[0]])
 
 
 def turning_ring(
@@ -123,16 +154,16 @@ def turning_ring(
     fluid: Fluid | None = None,
     models: str = DEFAULT,
     frequency: float = 0.0,
-    phases: int = PHASES,
+    phases: int | None = None,
     **options: Any,
 ) -> OverPass:
     """Return the `OverPass` under a radial load along x and an axial load (N), with the inner ring
     at `speed` rad/s.
 
     If no `oil` is given, there is no damping. The `models` "full" also need the `fluid`.
-    `frequency` is the frequency of the motion in rad/s, 0 for slow motion. `options` (clearance,
-    moment, held and others) are passed to `static.equilibrium`. Raises `NoEquilibrium` if no
-    equilibrium is found.
+    `frequency` is the frequency of the motion in rad/s, 0 for slow motion. `phases` is as in
+    `over_pass`. `options` (clearance, moment, held and others) are passed to `static.equilibrium`.
+    Raises `NoEquilibrium` if no equilibrium is found.
     """
     film = None
     if oil is not None and speed and models == "full":
@@ -152,11 +183,14 @@ def turning_ring(
                 bearing, load, axial, phase=phase, orbital_speed=orbit, film=film, **options
             )
         if oil is None or not speed:
-            return response(state.linear, 0.0, frequency)
+            return response(state.linear, 0.0, frequency), state.inner.load
         films = lubricate(bearing, state, oil, speed, clearance, film and film.factor)
         beside = dampers(
             bearing, state, films, oil, models, clearance=clearance, frequency=frequency
         )
-        return response(state.linear, beside.damping, frequency, stiffening=beside.stiffening)
+        found = response(state.linear, beside.damping, frequency, stiffening=beside.stiffening)
+        return found, state.inner.load
 
-    return over_pass(at, bearing.balls, phases)
+    held, moment = options.get("held") or {}, options.get("moment")
+    across = [options.get("load_azimuth"), held.get("y"), held.get("rx"), *(moment or ())[:1]]
+    return over_pass(at, bearing.balls, phases, symmetric=not any(across))

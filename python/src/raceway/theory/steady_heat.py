@@ -9,12 +9,13 @@ from typing import Any
 
 from raceway import catalogue, inputs
 from raceway.files import FilePath
-from raceway.rows import Row, lines, several, warning_lines
-from raceway.theory import cage_drag, heat
-from raceway.theory.bearing import DoubleRow, Layout
+from raceway.rows import GROOVES, Row, lines, row, several, warning_lines
+from raceway.theory import cage_drag, heat, operating_warnings
+from raceway.theory.bearing import DoubleRow, Layout, grooves
 from raceway.theory.heat_scene import CirculatingOil, Nodes, Scene, one_node, three_nodes
 from raceway.theory.models import DEFAULT
 from raceway.theory.oil_supply import BATH, Supply
+from raceway.theory.operating_table import LOSSES
 from raceway.theory.static import STRAIGHT
 from raceway.theory.validity import of_statics
 
@@ -22,12 +23,13 @@ from raceway.theory.validity import of_statics
 OF_NODES = ("sides", "cage", "contacts", "drag", "flow")
 TOPICS = {
     "Operating point": (
-        Row("bearing", "bearing", None),
-        Row("lubricant", "lubricant", None),
-        Row("load_N", "radial load", "N"),
-        Row("axial_N", "axial load", "N"),
-        Row("rpm", "inner ring speed", "rpm"),
+        row("bearing"),
+        row("lubricant"),
+        row("load_N", "along x"),
+        Row("axial_N", "axial load", "N", "along z"),
+        row("rpm"),
         Row("clearance_m", "diametral clearance, cold", "m"),
+        *GROOVES,
         Row("ambient_C", "ambient temperature", "°C"),
         Row("conductance_W_K", "cooling", "W/K", "ISO 15312 unless given"),
         Row("oil_flow_m3_s", "oil flow", "m³/s"),
@@ -47,10 +49,10 @@ TOPICS = {
         Row("temperature_outlet_C", "oil at the outlet", "°C"),
         Row("oil_carried_W", "carried away by the oil", "W"),
         Row("clearance_warm_m", "diametral clearance, warm", "m"),
-        Row("viscosity_Pa_s", "viscosity", "Pa s"),
-        Row("h_min_m", "minimum film thickness", "m", "largest inner load"),
-        Row("h_c_m", "central film thickness", "m", "the same"),
-        Row("lambda", "lambda", "", "the same"),
+        row("viscosity_Pa_s"),
+        row("h_min_m", "largest inner load"),
+        row("h_c_m", "largest inner load"),
+        row("lambda", "largest inner load"),
         Row("friction_torque_N_m", "friction torque", "N m"),
         Row("power_loss_W", "power loss", "W"),
     ),
@@ -193,6 +195,7 @@ class Case:
         boundary = inputs.boundary(path) if scene.bearing.layout == Layout() else None
         play = scene.bearing.play(inputs.nominal_angle(path))
         rest = scene.rest(found["temperature_C"], found["clearance_warm_m"])
+        arch = stated if self.four_point is None else self.four_point
         return dict(
             bearing=path.name,
             lubricant=oil.name,
@@ -200,6 +203,7 @@ class Case:
             axial_N=self.axial,
             rpm=self.rpm,
             clearance_m=self.clearance + play,
+            **grooves(arch, self.double_row),
             ambient_C=self.ambient,
             conductance_W_K=self.cooling(),
             **_settings(scene.oil_flow),
@@ -217,7 +221,7 @@ class Case:
                 rest.films,
                 load=self.load,
                 axial=self.axial,
-                four_point=stated if self.four_point is None else self.four_point,
+                four_point=arch,
             ),
         )
 
@@ -229,18 +233,28 @@ def figures(*names: Any, **point: Any) -> dict[str, Any]:
     case.files()
     case.cooling()
     scene = case.scene()
-    return case.report(scene, case.steady(scene))
+    steady = case.steady(scene)
+    result = case.report(scene, steady)
+    # with a ball on the load line, as in `raceway static`
+    run = scene.rest(steady["temperature_C"], steady["clearance_warm_m"])
+    lost = run.losses()
+    ahead = operating_warnings.advance(run, lost, case.cage)
+    doubts = operating_warnings.of_friction(run, lost.friction, ahead)
+    result["warnings"] += doubts.warnings + operating_warnings.restrained(ahead)
+    return result
 
 
 def table(result: Mapping[str, Any]) -> str:
     """Format the result of `figures` as text."""
-    rows = (row for topic in TOPICS.values() for row in topic)
-    shown = {**dict.fromkeys(row.key for row in rows), **result}
+    losses = {f"loss_{part}_W": loss for part, loss in result["losses_W"].items()}
+    parts = LOSSES
+    if result.get("runs"):  # in a run, slip is the loss by all tangential forces
+        parts = tuple(Row(f"loss_{part}_W", part, "W") for part in result["losses_W"])
+    topics = TOPICS | {"Losses": parts}
+    shown = dict.fromkeys(one.key for topic in topics.values() for one in topic) | result | losses
     for key in ("reference_speed_rpm", "reference_speed_dry_rpm"):
         shown[key] = shown[key] and round(shown[key])
-    parts = "\n".join(f"  {name:<32}{power:>12.4g} W" for name, power in result["losses_W"].items())
-    text = [*lines(shown, TOPICS), "", "Losses", parts, *warning_lines(result["warnings"])]
-    return "\n".join(text)
+    return "\n".join([*lines(shown, topics), *warning_lines(result["warnings"])])
 
 
 def curves(results: list[dict[str, Any]]) -> str:
