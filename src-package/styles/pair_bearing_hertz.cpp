@@ -107,6 +107,8 @@ void PairBearingHertz::init_style()
         "pair_style bearing needs 'boundary f f f' (or m, s), because a bearing is not periodic");
   if (update->whichflag == 2)
     BRG_ALL("pair_style bearing cannot minimize, because its forces depend on speeds: use run");
+  if (strncmp(update->integrate_style, "respa", 5) == 0)
+    BRG_ALL("pair_style bearing needs 'run_style verlet': the levels of respa would not move rings");
   if (!coefficients_.any_raceway())
     BRG_ALL("pair_style bearing: no raceway; give pair_coeff BALL RING inner|outer ...");
   if (!(update->dt >= shortest_step))
