@@ -108,7 +108,8 @@ void PairBearingHertz::init_style()
   if (update->whichflag == 2)
     BRG_ALL("pair_style bearing cannot minimize, because its forces depend on speeds: use run");
   if (strncmp(update->integrate_style, "respa", 5) == 0)
-    BRG_ALL("pair_style bearing needs 'run_style verlet': the levels of respa would not move rings");
+    BRG_ALL(
+        "pair_style bearing needs 'run_style verlet': the levels of respa would not move rings");
   if (!coefficients_.any_raceway())
     BRG_ALL("pair_style bearing: no raceway; give pair_coeff BALL RING inner|outer ...");
   if (!(update->dt >= shortest_step))
@@ -157,6 +158,7 @@ void PairBearingHertz::put_state_last()
   }
   state_ = dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1]);
   state_->serve(*this);
+  state_->check_numbers();
   state_->continue_time();
   if (new_style_ && at >= 0) {
     if (state_->has_another_axis())
