@@ -17,8 +17,8 @@ namespace of = bearing::of_fix_heat;
 
 // number of ball passes after the load ramp before losses are averaged
 static constexpr double passes_at_first = 2.0;
-// If loads or speeds vary, losses are averaged over spans of 16, 32 ... ball passes, until the means
-// of both halves differ from that of the span by at most this fraction.
+// If loads or speeds vary, losses are averaged over spans of 16, 32 ... ball passes, until the
+// means of both halves differ from that of the span by at most this fraction.
 static constexpr double scatter_of_means = 2e-3;
 static constexpr size_t shortest_span = 16, longest_span = 128;    // ball passes
 // A warning is printed if those of the longest span differ by more than this fraction.
