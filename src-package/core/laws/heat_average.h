@@ -4,6 +4,8 @@
 
 #include "heat_jumps.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace raceway {
