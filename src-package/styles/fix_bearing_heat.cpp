@@ -73,7 +73,11 @@ void FixBearingHeat::init()
   find_bearing();
   check_oil();
   find_network();
-  pass_ = bearing::ball_pass_time(lmp, bearing::name_of(*this), NAN);
+  const auto rings = bearing::fixes_of<FixBearingRing>(lmp);
+  varies_ = std::any_of(rings.begin(), rings.end(), [](auto *f) { return !f->constant(); });
+  // a speed that varies must not change the time of a ball pass wherever a run is divided
+  if (now_.pass == 0.0 || !varies_)
+    now_.pass = bearing::ball_pass_time(lmp, bearing::name_of(*this), NAN);
   pair_->add_follower(this);
   HeatState &heat = now_.heat;
   if (now_.begun == 0.0) {
@@ -206,7 +210,7 @@ double FixBearingHeat::convection() const
 {
   if (!network_.oil.flows()) return 0.0;
   const double pitch = bearing_->number("b_inner_raceway") + bearing_->number("b_outer_raceway"),
-               orbit = 2.0 * 3.14159265358979323846 / (bearing_->number("balls") * pass_);
+               orbit = 2.0 * 3.14159265358979323846 / (bearing_->number("balls") * now_.pass);
   return oil_convection(oil_datum("oil_conductivity"), oil_datum("oil_heat_capacity"),
                         oil_datum("oil_density"), oil_datum("viscosity"), orbit, pitch);
 }
@@ -216,12 +220,9 @@ void FixBearingHeat::setup(int)
 {
   if (idle_) return;
   ramp_ = 0.0;
-  varies_ = false;
-  for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp)) {
+  for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp_ = std::max(ramp_, f->ramp());
-    varies_ = varies_ || !f->constant();
-  }
-  stride_ = std::max(1, static_cast<int>(pass_ / update->dt / samples_a_pass));
+  stride_ = std::max(1, static_cast<int>(now_.pass / update->dt / samples_a_pass));
   if (rewrite_) {    // these rows had been written before the restart file was
     rewrite_ = false;
     if (FILE *f = file_.file(); f)
@@ -272,13 +273,16 @@ void FixBearingHeat::apply_oil()
 // began.
 bool FixBearingHeat::passed(double since, double passes) const
 {
-  return since >= passes * pass_ * (1.0 - 1e-9) - 0.5 * update->dt;
+  return since >= passes * now_.pass * (1.0 - 1e-9) - 0.5 * update->dt;
 }
 
 // Returns the fraction of the change of the clearance that has been made at the time `since` after
 // a ramp began. It is 1 at the last step of the ramp, even if a ball pass is not a whole number of
 // steps.
-double FixBearingHeat::share_at(double since) const { return passed(since) ? 1.0 : since / pass_; }
+double FixBearingHeat::share_at(double since) const
+{
+  return passed(since) ? 1.0 : since / now_.pass;
+}
 
 // Sets the clearance to an intermediate value, at the fraction `share` of the way from its previous
 // value to its value at the current temperatures.
@@ -368,8 +372,9 @@ void FixBearingHeat::write_row(const Row &row)
 
 void FixBearingHeat::write_restart(FILE *fp)
 {
+  now_.passes = static_cast<double>(passes_.size());
   bearing::NumberWriter list;
-  list(now_, rows_);
+  list(now_, rows_, passes_);
   if (comm->me == 0) list.write(fp);
 }
 
@@ -378,6 +383,7 @@ void FixBearingHeat::restart(char *buf)
   bearing::NumberReader list(buf);
   list(now_);
   rows_.resize(static_cast<size_t>(now_.rows));
-  list(rows_);
+  passes_.resize(static_cast<size_t>(now_.passes));
+  list(rows_, passes_);
   rewrite_ = true;
 }

@@ -61,13 +61,13 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   // Contains only doubles, so that it can be written to restart files.
   struct State {
     raceway::HeatState heat;
-    raceway::HeatPass sum;    // time integrals of the values since averaging began
+    raceway::HeatPass sum;    // time integrals of the values since the current ball pass began
     double begun = 0.0, stage = WAIT;
+    double pass = 0.0;                          // s, duration of a ball pass; 0: not yet known
     double since = 0.0;                         // s, time since this stage began
     double run = 0.0;                           // s, total time
     double summed = 0.0;                        // s, time covered by `sum`
-    double span = 1.0;                          // number of ball passes to average
-    double half = 0.0;                          // W, mean losses in the first half of the span
+    double passes = 0.0;                        // number of ball passes averaged so far
     double oil = 0.0;                           // C, oil temperature used in the current contact
                                                 // law
     double begin[raceway::heat_nodes] = {};     // C, temperatures at the start
@@ -109,14 +109,15 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   raceway::HeatNetwork network_;
   raceway::HeatControl control_;
   double bearings_ = 1.0;    // number of bearings that have these temperatures
-  double pass_ = 0.0;        // s, duration of a ball pass
   double ramp_ = 0.0;        // s, end of the load ramp
   bool varies_ = false;      // true if loads or speeds change or turn with a ring
   int stride_ = 1;           // number of steps between samples
   bigint last_step_ = -1;    // last step that has been started
   double ahead_ = 0.0;       // s, time step within a step, which now_.since does not yet include
   bool apply_ = false, rewrite_ = false;
+  bool warned_ = false;    // true if the losses have been reported to scatter
   State now_;
+  std::vector<raceway::HeatPass> passes_;     // mean values of the ball passes averaged so far
   std::vector<FixBearingHeat *> together_;    // all bearings that are heated, including this one
   std::vector<Row> rows_;                     // rows of the file
   std::string file_name_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Stages of fix bearing/heat from one ball pass to the next, and the jumps of the temperatures.
+#include "../core/laws/heat_average.h"
 #include "../core/settings/arguments.h"
 #include "fix_bearing_heat.h"
 #include "fixes.h"
@@ -16,10 +17,12 @@ namespace of = bearing::of_fix_heat;
 
 // number of ball passes after the load ramp before losses are averaged
 static constexpr double passes_at_first = 2.0;
-// If loads or speeds vary, losses are averaged over spans of 2, 4, 8 ... ball passes, until the
-// mean differs from that of the first half of the span by at most this fraction.
+// If loads or speeds vary, losses are averaged over spans of 16, 32 ... ball passes, until the
+// means of both halves differ from that of the span by at most this fraction.
 static constexpr double scatter_of_means = 2e-3;
-static constexpr double longest_span = 128.0;    // ball passes
+static constexpr size_t shortest_span = 16, longest_span = 128;    // ball passes
+// A warning is printed if those of the longest span differ by more than this fraction.
+static constexpr double doubtful_scatter = 1e-2;
 
 void FixBearingHeat::enter(Stage stage)
 {
@@ -27,8 +30,7 @@ void FixBearingHeat::enter(Stage stage)
   now_.since = 0.0;
   now_.sum = {};
   now_.summed = 0.0;
-  now_.span = 1.0;
-  now_.half = 0.0;
+  passes_.clear();
 }
 
 // Returns true if the mean losses so far represent the losses at the current temperatures. If loads
@@ -36,21 +38,34 @@ void FixBearingHeat::enter(Stage stage)
 // scatter.
 bool FixBearingHeat::averaged()
 {
-  if (!passed(now_.since, now_.span) || now_.summed == 0.0) return false;
+  if (!passed(now_.since, passes_.size() + 1.0) || now_.summed == 0.0) return false;
+  HeatPass mean;
+  mean.add(now_.sum, 1.0 / now_.summed);
+  passes_.push_back(mean);
+  now_.sum = {};
+  now_.summed = 0.0;
   if (!varies_) return true;
-  const double mean = now_.sum.power() / now_.summed;
-  const bool agree =
-      now_.span > 1.0 && std::fabs(mean - now_.half) <= scatter_of_means * std::fabs(mean);
-  if (agree || now_.span >= longest_span) return true;
-  now_.half = mean;
-  now_.span *= 2.0;
-  return false;
+  const size_t count = passes_.size();
+  const bool is_span = count >= shortest_span && (count & (count - 1)) == 0;
+  if (!is_span) return false;
+  const double scatter = scatter_of_passes(passes_);
+  if (scatter <= scatter_of_means) return true;
+  if (count < longest_span) return false;
+  if (scatter > doubtful_scatter && !warned_ && comm->me == 0)
+    BRG_WARN(bearing::name_of(*this) + ": mean losses of bearing " + bearing_->name +
+             " still change by " + text(100.0 * scatter) + " % from one half of " +
+             std::to_string(longest_span) +
+             " ball passes to the other, as its loads or speeds vary slowly or irregularly: "
+             "temperatures depend on when the losses are averaged");
+  warned_ = warned_ || scatter > doubtful_scatter;
+  return true;
 }
 
 void FixBearingHeat::go_on()
 {
   if (idle_ || now_.stage != STAY || control_.until > 0.0) return;
   now_.heat.forget_losses();
+  now_.pass = 0.0;
   enter(WAIT);
 }
 
@@ -61,7 +76,7 @@ void FixBearingHeat::end_of_step()
   now_.run += update->dt;
   switch (static_cast<int>(now_.stage)) {
     case WAIT:
-      if (now_.since >= ramp_ + passes_at_first * pass_) enter(WATCH);
+      if (now_.since >= ramp_ + passes_at_first * now_.pass) enter(WATCH);
       break;
     case RAMP:
       if (passed(now_.since)) enter(WATCH);
@@ -96,8 +111,7 @@ void FixBearingHeat::jump_if_all_are_ready()
 // Returns the mean values of the ball passes over which losses have been averaged.
 HeatPass FixBearingHeat::mean_pass() const
 {
-  HeatPass seen;
-  seen.add(now_.sum, 1.0 / now_.summed);
+  HeatPass seen = mean_of_passes(passes_, 0, passes_.size());
   seen.convection = convection();
   return seen;
 }

@@ -65,6 +65,19 @@ void FixBearingState::forget_contacts()
   }
 }
 
+void FixBearingState::check_numbers() const
+{
+  bearing::tag_t was = 0;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (const bearing::tag_t tag = per_atom_[i].tag; tag != atom->tag[i]) was = std::max(was, tag);
+  double last = static_cast<double>(was);
+  MPI_Allreduce(MPI_IN_PLACE, &last, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (last > 0.0)
+    BRG_ALL("pair_style bearing: atom " + std::to_string(static_cast<long>(last)) +
+            " of the last run has another number now, but contacts are stored by the numbers of "
+            "atoms: use 'compress no' in delete_atoms, and do not reset atom IDs between runs");
+}
+
 int FixBearingState::setmask() { return PRE_NEIGHBOR | END_OF_STEP | POST_RUN; }
 
 void FixBearingState::pre_neighbor()
@@ -107,6 +120,7 @@ void FixBearingState::save_forces()
     PerAtom &p = per_atom_[i];
     p.saved = true;
     p.saved_step = static_cast<double>(update->ntimestep);
+    p.tag = atom->tag[i];
     for (int k = 0; k < 3; ++k) {
       p.force[k] = atom->f[i][k];
       p.torque[k] = atom->torque[i][k];
@@ -174,7 +188,7 @@ template <class List> void FixBearingState::keep(List &list, PerAtom &p)
   list(p.n_grooves);
   for (int k = 0; k < max_grooves; ++k) list(p.kept_ring[k], p.kept_groove[k], p.kept[k]);
   list(p.ring.axis, p.ring.origin, p.ring.angle, p.ring.tilt, p.ring.step, p.turn, p.saved,
-       p.saved_step, p.force, p.torque);
+       p.saved_step, p.force, p.torque, p.tag);
 }
 
 int FixBearingState::pack_exchange(int i, double *buf)

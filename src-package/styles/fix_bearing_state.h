@@ -94,6 +94,9 @@ class FixBearingState : public Fix {
   // Returns true if bearings have been created about another axis than that of the pair style.
   bool has_another_axis() const;
   void forget_contacts();
+  // Stops with an error if atoms have other numbers than in the last run, because contacts, pockets
+  // and columns of output are stored by number.
+  void check_numbers() const;
   // Called in the set-up of a run. Afterwards, the axes and angles of rings are assumed to be
   // constant unless a fix calls follow_axes().
   void keep_axes() { axes_turn_ = false; }
@@ -131,11 +134,12 @@ class FixBearingState : public Fix {
     bool saved = false;    // true if force and torque are those of saved_step
     double saved_step = -1.0;
     double force[3] = {}, torque[3] = {};
-    int owner = 0;    // rank that owns the atom if it is a ghost
+    bearing::tag_t tag = 0;    // number of the atom at the end of the last run; 0: it is new
+    int owner = 0;             // rank that owns the atom if it is a ghost
   };
 
  private:
-  static constexpr int packed_size = 2 + (2 + room) * max_grooves + 10 + 4 + 8;
+  static constexpr int packed_size = 2 + (2 + room) * max_grooves + 10 + 4 + 9;
 
   template <class List> static void keep(List &, PerAtom &);
   void save_forces();

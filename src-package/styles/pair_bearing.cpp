@@ -100,6 +100,9 @@ bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string
     assumed.insert(assumed.end(), more.begin(), more.end());
     bearing::DataValues values(args, oil.values, oil.label);
     bearing::derive_oil(values);
+    const std::string wrong =
+        bearing::wrong_value(*bearing::find_deck_variable("viscosity"), oil.values.at("viscosity"));
+    if (!wrong.empty()) args.fail(oil.label + " at " + text(t) + " C: " + wrong);
   } else if (const auto at = oil.of_file.find("temperature");
              at != oil.of_file.end() && args.number_in(at->second, "temperature") != t)
     args.fail(oil.label + " has values for " + at->second + " C only, not for " + text(t) +

@@ -107,6 +107,9 @@ void PairBearingHertz::init_style()
         "pair_style bearing needs 'boundary f f f' (or m, s), because a bearing is not periodic");
   if (update->whichflag == 2)
     BRG_ALL("pair_style bearing cannot minimize, because its forces depend on speeds: use run");
+  if (strncmp(update->integrate_style, "respa", 5) == 0)
+    BRG_ALL(
+        "pair_style bearing needs 'run_style verlet': the levels of respa would not move rings");
   if (!coefficients_.any_raceway())
     BRG_ALL("pair_style bearing: no raceway; give pair_coeff BALL RING inner|outer ...");
   if (!(update->dt >= shortest_step))
@@ -155,6 +158,7 @@ void PairBearingHertz::put_state_last()
   }
   state_ = dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1]);
   state_->serve(*this);
+  state_->check_numbers();
   state_->continue_time();
   if (new_style_ && at >= 0) {
     if (state_->has_another_axis())

@@ -20,6 +20,10 @@ MAIN_DECK = {
             r" apart"
         ),
     ),
+    "oil that is too cold": (
+        {"lubricant": "vg68", "temperature": -40},
+        r"vg68' at -40 C: viscosity \(Pa s\) is 140\.\d+, must be from 1e-05 to 100",
+    ),
     "no room": (
         {"clearance": -1e-3},
         r"create_bearing b: clearance -0.001 m .* leaves no room .* may not be below",

@@ -142,3 +142,23 @@ def test_two_heated_bearings_when_the_pair_style_is_given_again(tmp_path):
     text = re.sub(r"^(fix record|run_bearing).*\n", "", text, flags=re.M)
     text += f"timestep 2.0e-5\nrun 20\n{style}run 20\n"
     succeed(deck_file(tmp_path, text), out=tmp_path, sanitized=True)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("compress", ["yes", "no"])
+def test_atoms_that_are_renumbered(tmp_path, compress, ranks):
+    """Contacts belong to numbers of atoms, so a deletion may not change those that remain."""
+    text = BOX.replace("create_box 4", "create_box 5") + (
+        "create_atoms 5 single 0.05 0.05 0 units box\nset type 5 diameter 0.002 density 2500\n"
+        "group other type 5\n"
+        "pair_style bearing/hertz\npair_coeff 1 3 inner 24.0e-3 6.552e-3\n"
+        "pair_coeff 1 4 outer 36.6e-3 6.552e-3\n"
+        "create_bearing 1 none 3 4 balls 9 diameter 12.6e-3 speed 50 0\n"
+        "group bearing type 1 3 4\nfix move bearing bearing/implicit\n"
+        f"timestep 1e-5\nrun 10\ndelete_atoms group other compress {compress}\nrun 10\n"
+    )
+    deck = deck_file(tmp_path, text)
+    if compress == "yes":
+        refuses(deck, "of the last run has another number now", "compress no", ranks=ranks)
+    else:
+        succeed(deck, ranks=ranks)

@@ -158,3 +158,10 @@ def test_create_bearing_below_hybrid(tmp_path):
 def test_minimize(tmp_path, host):
     deck = deck_file(tmp_path, BEARING + "thermo_style one\nminimize 1e-4 1e-6 10 100\n")
     refuses(deck, "cannot minimize, because its forces depend on speeds", host=host)
+
+
+@pytest.mark.parametrize("host", EVERYWHERE)
+def test_respa(tmp_path, host):
+    """Nothing would move, since fixes have other functions for the levels of respa."""
+    deck = deck_file(tmp_path, BEARING + "run_style respa 2 2\nrun 10\n")
+    refuses(deck, "needs 'run_style verlet'", host=host)
