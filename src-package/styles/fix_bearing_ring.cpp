@@ -64,9 +64,9 @@ bearing::RingBody FixBearingRing::usual_body() const
   return body;
 }
 
-// Warns of a force along an axis of the bearing along which the ring cannot move, for example because
-// the force was meant for bearings with another axis. Forces below 1 uN are rounding errors of
-// an azimuth.
+// Warns of a force along an axis of the bearing along which the ring cannot move, for example
+// because the force was meant for bearings with another axis. Forces below 1 uN are rounding errors
+// of an azimuth.
 void FixBearingRing::warn_if_idle(const std::string &what, const bearing::DrivenValue &force,
                                   int k) const
 {
