@@ -250,9 +250,9 @@ void FixBearingCheckpoint::publish()
           ". The previous one, if any, is intact: make room and continue from it");
 }
 
-// Checks that no output file is shorter than it was when the restart file was written. Files may
-// have grown since then.
-void FixBearingCheckpoint::check_files()
+// Checks that no output file is shorter than it was when the restart file was written, and stops
+// with the `advice` otherwise. Files may have grown since then.
+void FixBearingCheckpoint::check_files(const std::string &advice)
 {
   if (comm->me != 0) return;
   for (size_t k = 0; k < files_.size(); ++k) {
@@ -260,7 +260,7 @@ void FixBearingCheckpoint::check_files()
     if (now < length_[k])
       BRG_ONE(command_ + ": " + files_[k] +
               (now < 0.0 ? " is gone" : " has " + whole(now) + " bytes") + ", it had " +
-              whole(length_[k]) + " when " + file_ + " was written: start the run anew");
+              whole(length_[k]) + " when " + file_ + " was written: " + advice);
   }
 }
 
@@ -268,6 +268,7 @@ void FixBearingCheckpoint::cut_files()
 {
   cut_ = true;
   if (comm->me != 0) return;
+  check_files("the deck has replaced it, because the command that writes it does not append");
   for (size_t k = 0; k < files_.size(); ++k) {
     if (length_[k] < 0.0) {    // the file did not exist yet when the restart file was written
       unlink(files_[k].c_str());
@@ -332,5 +333,5 @@ void FixBearingCheckpoint::restart(char *buf)
   list(length_);
   deck_ = list.rest();
   resumed_ = true;
-  check_files();
+  check_files("start the run anew");
 }

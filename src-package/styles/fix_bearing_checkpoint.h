@@ -38,7 +38,7 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
   void write_every(int steps);
   void take_sample();
   void publish();
-  void check_files();
+  void check_files(const std::string &advice);
   void cut_files();
   void watch_files();
   [[noreturn]] void stop();

@@ -64,8 +64,22 @@ bearing::RingBody FixBearingRing::usual_body() const
   return body;
 }
 
+// Warns of a force along an axis of the bearing along which the ring cannot move, for example
+// because the force was meant for bearings with another axis. Forces below 1 uN are rounding errors
+// of an azimuth.
+void FixBearingRing::warn_if_idle(const std::string &what, const bearing::DrivenValue &force,
+                                  int k) const
+{
+  if (comm->me != 0 || settings_.program.free(k)) return;
+  if (force.is_variable() || std::fabs(force.constant_value()) < 1e-6) return;
+  const std::string along(1, static_cast<char>('x' + axes_.lab_axis(k)));
+  BRG_WARN(bearing::name_of(*this) + ": " + what + " of " + bearing::text(force.constant_value()) +
+           " N along " + along + " has no effect, because " + along + " is not free");
+}
+
 void FixBearingRing::settings_are_read()
 {
+  for (int k = 0; k < 3; ++k) warn_if_idle("force", settings_.value[RingProgram::FORCE + k], k);
   find_rings();
   // a variable may be atom-style, in which case its values travel with the rings
   called_back_ = std::any_of(settings_.value, settings_.value + RingProgram::N_VALUE,

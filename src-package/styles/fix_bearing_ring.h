@@ -109,6 +109,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   FixBearingRing(class LAMMPS *, int, char **, Words);    // for derived classes with more settings
   bearing::RingBody usual_body() const;
   void settings_are_read();    // must be called after the settings have been read
+  void warn_if_idle(const std::string &what, const bearing::DrivenValue &force, int k) const;
   void find_rings();
   void refuse_another_mover();
   void find_own_values();

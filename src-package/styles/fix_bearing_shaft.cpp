@@ -36,6 +36,9 @@ FixBearingShaft::FixBearingShaft(LAMMPS *lmp, int narg, char **arg) :
     if (u.of.moment > 0.0 && settings_.program.mode[RingProgram::SPIN] != Freedom::speed)
       args.fail("unbalance needs 'spin speed W': the eccentric mass turns with an imposed spin");
   settings_are_read();
+  // a radial load beside the centre also tilts the shaft
+  for (const bearing::ShaftSettings::Load &load : shaft_.loads)
+    warn_if_idle("load", load.force[axes_.along], 2);
 }
 
 void FixBearingShaft::init()

@@ -3,6 +3,7 @@
 and reports a full disk."""
 
 import os
+import re
 import resource
 import signal
 import subprocess
@@ -68,6 +69,30 @@ def test_shortened_file_is_refused(stopped):
         file.truncate(1000)
     says = "contacts.dump has 1000 bytes, it had", "start the run anew"
     refuses("inputs/in.6208", *says, out=stopped, resume="yes", **SCENE)
+
+
+def test_scene_killed_before_its_first_restart_file(tmp_path):
+    """`resume yes` starts such a run anew, and its dump has each sample once."""
+    succeed("docs/decks/in.scene", out=tmp_path, steps=300)
+    assert not (tmp_path / "restart").exists()
+    succeed("docs/decks/in.scene", out=tmp_path, steps=500, resume="yes")
+    steps = re.findall(r"TIMESTEP\n(\d+)", (tmp_path / "forces.dump").read_text())
+    assert steps == ["0", "100", "200", "300", "400", "500"]
+
+
+def test_replaced_file_is_refused(tmp_path):
+    """A deck that does not append to a file replaces it when it continues. This used to fill the
+    file with zeros up to its former length and then report that it had stopped growing."""
+    deck = (ROOT / "docs/decks/in.scene").read_text()
+    succeed("docs/decks/in.scene", out=tmp_path, steps=2000)
+    dump = tmp_path / "forces.dump"
+    length = dump.stat().st_size
+    wrong = deck_file(tmp_path, deck.replace("append yes", "append no"))
+    says = f"forces.dump has {{}} bytes, it had {length} when", "does not append"
+    failed = refuses(wrong, says[1], out=tmp_path, steps=3000, resume="yes")
+    left = dump.stat().st_size
+    assert says[0].format(left) in failed.error and left < length
+    assert b"\0" not in dump.read_bytes()
 
 
 def test_shortened_record_is_refused(stopped):

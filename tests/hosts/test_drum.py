@@ -113,6 +113,16 @@ def test_mistakes(tmp_path, old, new, message):
     refuses(deck, message, **SHORT, out=tmp_path / "a")
 
 
+def test_a_load_that_moves_nothing_is_noted(tmp_path):
+    """A load along the axis of bearings that are held along it, as in a deck whose axis was
+    changed, but not its loads."""
+    said = "fix shaft bearing/shaft: load of -78.5 N along z has no effect, because z is not free"
+    turned = changed("in.drum", [("load 0.18 0 -78.5 0", "load 0.18 0 0 -78.5")])
+    for deck, times in ((DECK, 0), (deck_file(tmp_path, turned), 1)):
+        found = succeed(deck, **SHORT, out=tmp_path / "a", ranks=2).text
+        assert found.count("has no effect") == found.count(said) == times
+
+
 def test_hybrid_is_refused(tmp_path):
     text = changed("in.drum", [("pair_coeff * * b\n", ""), ("pair_coeff 5 5 grain", "#")])
     style = text[text.index("pair_style") : text.index("\n", text.index("pair_style"))]

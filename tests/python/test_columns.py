@@ -20,6 +20,14 @@ def test_every_column_says_what_it_is(section):
         assert row["format"] in ("%.12g", "%.0f")
 
 
+def test_temperatures_are_in_degrees_celsius():
+    """Readers of netCDF files take C for the coulomb (UDUNITS, pint)."""
+    rows = [row for name in TABLES if name != "law" for row in TABLES[name] if row.get("unit")]
+    temperatures = [row["unit"] for row in rows if row["name"].startswith("temperature")]
+    assert set(temperatures) == {"degC"}
+    assert all("charge" in row["meaning"] for row in rows if row["unit"] == "C")
+
+
 def test_every_keyword_of_the_law_says_what_it_takes():
     """A keyword that takes a number has a meaning, a range and a default; a keyword that takes a
     word has a list of choices."""

@@ -191,11 +191,11 @@ enum {
 // clang-format on
 const Column list[N] = {
     {"thermal_time", "s", "time by which the temperatures have advanced"},
-    {"temperature_inner", "C", "temperature of the inner ring"},
-    {"temperature_balls", "C", "temperature of the balls"},
-    {"temperature_outer", "C", "temperature of the outer ring"},
-    {"temperature_housing", "C", "temperature of the housing"},
-    {"temperature_oil", "C", "temperature of the oil in the contacts, mean of rings and balls"},
+    {"temperature_inner", "degC", "temperature of the inner ring"},
+    {"temperature_balls", "degC", "temperature of the balls"},
+    {"temperature_outer", "degC", "temperature of the outer ring"},
+    {"temperature_housing", "degC", "temperature of the housing"},
+    {"temperature_oil", "degC", "temperature of the oil in the contacts, mean of rings and balls"},
     {"power", "W", "losses of a bearing, averaged over the last ball pass"},
     {"heat_inner", "W", "part of the losses that heats the inner ring"},
     {"heat_balls", "W", "part of the losses that heats the balls"},
@@ -214,7 +214,7 @@ const Column list[N] = {
     {"correction", "K", "largest difference between predicted and final temperatures of that jump"},
     {"run_time", "s", "simulated time since the fix began"},
     {"heat_oil", "W", "part of the losses that heats flowing oil"},
-    {"temperature_outlet", "C", "outlet temperature of flowing oil"},
+    {"temperature_outlet", "degC", "outlet temperature of flowing oil"},
 };
 }    // namespace of_fix_heat
 
