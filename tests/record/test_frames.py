@@ -175,7 +175,7 @@ def moved(found, pose):
             new[name] = pose.sense * values
         if key == "azimuth":
             new[name] = turned.wrapped(pose.sense * values + pose.azimuth(0))
-        if name == "contacts angle":
+        if name in ("contacts angle", "summary axial_N") and values is not None:
             new[name] = pose.signs[2] * values
         if part == "around" and pose.sense < 0 and np.ndim(values) == 2:
             new[name] = values[:, ::-1]
