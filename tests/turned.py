@@ -34,7 +34,7 @@ def write(source, folder, pose):
     checksums."""
     folder.mkdir(parents=True)
     text = (source / "run.yaml").read_text()
-    text = re.sub("load_azimuth_rad: .*\n", "", text)  # the azimuth is stored in the record
+    text = re.sub("(load_azimuth_rad|axial_N): .*\n", "", text)  # they are stored in the record
     (folder / "run.yaml").write_text(text.replace("axis: z", f"axis: {'xyz'[pose.axis]}"))
     for name in ("restart", "restart.deck"):
         if (source / name).exists():
@@ -50,6 +50,8 @@ def write(source, folder, pose):
         attributes["axis"] = "xyz"[pose.axis]
         if "load_azimuth_rad" in attributes:
             attributes["load_azimuth_rad"] = _azimuth(attributes["load_azimuth_rad"], pose)
+        if "axial_N" in attributes:
+            attributes["axial_N"] *= pose.signs[2]
         new.setncatts(attributes)
         for name, size in old.dimensions.items():
             new.createDimension(name, None if size.isunlimited() else len(size))
