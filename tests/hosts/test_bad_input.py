@@ -39,6 +39,18 @@ MAIN_DECK = {
         {"step": 1e-4, "integrator": "verlet"},
         r"step 0.0001 s exceeds what the contact spring at 1 um overlap allows, 1.8\d*e-05 s",
     ),
+    "unknown bearing": (
+        {"bearing": "9999"},
+        (
+            r"bearing: there is no '9999' in folder inputs/bearings; there is: 6009, 6209,"
+            r" 6309, 6000, 6001, 6002, \d+ in all"
+        ),
+    ),
+    "unknown models": (
+        {"models": "papers"},
+        r"pair_style bearing: there is no model 'papers'; "
+        r"there is: paper, film, full, eyring, none, or a file",
+    ),
     "unknown lubricant": (
         {"lubricant": "honey"},
         (
@@ -100,6 +112,10 @@ DECKS = {
     "too few numbers": (
         BOX + STYLE + "pair_coeff 1 3 inner 24.0e-3\n",
         r"pair_coeff 1 3 inner: too few arguments: groove radius \(m\) is missing",
+    ),
+    "film without roughness": (
+        BOX + "pair_style bearing/ehd lubricant 0.04 2e-8\n" + INNER,
+        r"bearing/ehd needs 'roughness RACEWAY BALL'",
     ),
     "unknown role": (
         BOX + STYLE + "pair_coeff 1 3 middle 24.0e-3 6.552e-3\n",

@@ -76,8 +76,9 @@ def by_runs(
             )
             if abs(change) < CLOSE:
                 break
+    rest = scene.rest(found["temperature_C"], found["clearance_warm_m"])
     return dict(
-        case.report(scene, dict(found, losses_W=ran["losses_W"])),
+        case.report(scene, dict(found, losses_W=ran["losses_W"]), rest),
         runs=number,
         run_temperature_C=asked,
         run_power_W=power,

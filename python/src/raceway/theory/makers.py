@@ -32,6 +32,8 @@ ANGULAR = {"72": (5.03e-7, 1.97, 1.90e-12, 1.30e-2, 0.68, 1.91e-12)}
 # (page 417) for bearings without an external thrust
 INDUCED = 1.0
 SAME = {"630": "60", "622": "62", "623": "63", "161": "160", "628": "618"}
+KEYS = ("torque_skf_N_m", "torque_palmgren_N_m")  # of the results of `torques`
+FEW = 0.01  # fraction of the radial force below which `torques` neglects an axial force
 BOUNDARY, MINERAL, SYNTHETIC = 0.12, 0.05, 0.04  # mu_bl, and mu_EHL for the two kinds of oil
 OIL, GREASE = 3e-8, 6e-8  # K_rs for a low oil bath and oil jet, and for grease and oil-air
 K_Z, K_Z_ANGULAR = 3.1, 4.4  # for deep groove and for single-row angular contact ball bearings
@@ -76,11 +78,6 @@ class Boundary:
     def slender(self) -> float:
         """K_Z of SKF's model."""
         return K_Z_ANGULAR if self.series in ANGULAR else K_Z
-
-
-FEW = 0.01  # fraction of the radial force below which `torques` neglects an axial force
-# keys of the results of `torques`
-KEYS = ("torque_skf_N_m", "torque_palmgren_N_m")
 
 
 class Torque(NamedTuple):

@@ -16,6 +16,7 @@ from raceway.theory.heat_scene import CirculatingOil, Nodes, Scene, one_node, th
 from raceway.theory.models import DEFAULT
 from raceway.theory.oil_supply import BATH, Supply
 from raceway.theory.operating_table import LOSSES
+from raceway.theory.running import Running
 from raceway.theory.static import STRAIGHT
 from raceway.theory.validity import of_statics
 
@@ -184,8 +185,9 @@ class Case:
             return three_nodes(scene, nodes, self.ambient, self.clearance)
         return one_node(scene, self.cooling(), self.ambient, self.clearance)
 
-    def report(self, scene: Scene, found: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the result of `figures` from the steady-state results `found`."""
+    def report(self, scene: Scene, found: Mapping[str, Any], rest: Running) -> dict[str, Any]:
+        """Return the result of `figures`, without the warnings about friction, from the
+        steady-state results `found` and the equilibrium `rest` at their temperature."""
         path, oil = self.files()
         level = 500 * scene.bearing.ball_diameter  # mm, at the middle of the lowest ball
         stated = inputs.four_point_angle(path)
@@ -194,7 +196,6 @@ class Case:
         # the formulas for the friction apply to one row with one groove per ring
         boundary = inputs.boundary(path) if scene.bearing.layout == Layout() else None
         play = scene.bearing.play(inputs.nominal_angle(path))
-        rest = scene.rest(found["temperature_C"], found["clearance_warm_m"])
         arch = stated if self.four_point is None else self.four_point
         return dict(
             bearing=path.name,
@@ -234,12 +235,12 @@ def figures(*names: Any, **point: Any) -> dict[str, Any]:
     case.cooling()
     scene = case.scene()
     steady = case.steady(scene)
-    result = case.report(scene, steady)
     # with a ball on the load line, as in `raceway static`
-    run = scene.rest(steady["temperature_C"], steady["clearance_warm_m"])
-    lost = run.losses()
-    ahead = operating_warnings.advance(run, lost, case.cage)
-    doubts = operating_warnings.of_friction(run, lost.friction, ahead)
+    rest = scene.rest(steady["temperature_C"], steady["clearance_warm_m"])
+    result = case.report(scene, steady, rest)
+    lost = rest.losses()
+    ahead = operating_warnings.advance(rest, lost, case.cage)
+    doubts = operating_warnings.of_friction(rest, lost.friction, ahead)
     result["warnings"] += doubts.warnings + operating_warnings.restrained(ahead)
     return result
 
