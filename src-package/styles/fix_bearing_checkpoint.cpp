@@ -111,10 +111,18 @@ void FixBearingCheckpoint::init()
     BRG_ALL(command_ + ": nothing to resume: the restart file has no state of a fix " + id +
             " of this style");
   check_deck();
-  if (!resumed_ && comm->me == 0 && !begun_)
-    unlink(file_.c_str());    // this is the restart file of an earlier run, which is replaced by
-                              // this run
+  if (comm->me == 0 && !begun_) remove_replaced_files();
   begun_ = true;
+}
+
+// Removes what this run replaces: the restart file of an earlier run or, in a continued run, the
+// files that did not exist yet when its restart file was written. `run_bearing` begins its dumps
+// after this.
+void FixBearingCheckpoint::remove_replaced_files()
+{
+  if (!resumed_) unlink(file_.c_str());
+  for (size_t k = 0; k < files_.size(); ++k)
+    if (length_[k] < 0.0) unlink(files_[k].c_str());
 }
 
 // Returns the commands that determine a run: the bearings (first line), the pair style, the data of
@@ -270,9 +278,7 @@ void FixBearingCheckpoint::cut_files()
   if (comm->me != 0) return;
   check_files("the deck has replaced it, because the command that writes it does not append");
   for (size_t k = 0; k < files_.size(); ++k) {
-    if (length_[k] < 0.0) {    // the file did not exist yet when the restart file was written
-      unlink(files_[k].c_str());
-    } else if (truncate(files_[k].c_str(), static_cast<off_t>(length_[k])) != 0)
+    if (length_[k] >= 0.0 && truncate(files_[k].c_str(), static_cast<off_t>(length_[k])) != 0)
       BRG_ONE(command_ + ": cannot cut " + files_[k] + ": " + strerror(errno));
     seen_[k] = -1.0;    // the next sample of a dump is written after the next check of its length
   }

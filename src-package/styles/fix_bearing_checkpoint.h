@@ -38,6 +38,7 @@ class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
   void write_every(int steps);
   void take_sample();
   void publish();
+  void remove_replaced_files();
   void check_files(const std::string &advice);
   void cut_files();
   void watch_files();

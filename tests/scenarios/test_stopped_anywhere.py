@@ -5,7 +5,7 @@ results. Decisions are due at the ends of ball passes, so steps next to them are
 import re
 
 import pytest
-from host import ROOT, deck_file, succeed
+from host import ROOT, deck_file, same_files, succeed
 from recorded_runs import differ
 
 from scenarios.test_run_bearing import DECK, IMPLICIT, TURNS, numbers
@@ -14,6 +14,8 @@ WITHIN = 10  # samples per host step
 TIMES = {"processor_s", "wall_s"}  # attributes that no two runs share
 MAIN = "inputs/in.6208"
 WARM = {"heat": "yes", "models": "full", "rpm": 3000, "lubricant": "vg46", "passes": 1}
+WARM |= {"dumps": "yes", "within": WITHIN}
+DUMPS = ("contacts.dump", "balls.dump", "rings.dat")
 SCENES = {
     "auto": (DECK, {**IMPLICIT, "settle": "auto"}),
     "orbit": (DECK, {**TURNS, "settle": "orbit", "more": "limit 5"}),
@@ -41,8 +43,11 @@ def test_bits(name, tmp_path):
         out = tmp_path / str(step)
         stopped = {**scene, "keep": step * WITHIN}
         succeed(deck, out=out, last="no", **stopped)
-        (out / "record.nc").unlink()
-        succeed(deck, out=out, resume="yes", **stopped)
+        for name in ("record.nc", "run.yaml"):
+            (out / name).unlink(missing_ok=True)
+        text = succeed(deck, out=out, resume="yes", **stopped).text
+        assert "Continuing from" in text
         assert differ(whole, out) == [], step
+        same_files(out, whole, *(DUMPS if "dumps" in scene else ()))
         one, other = numbers(whole), numbers(out)
         assert {k for k, v in one.items() if v != other[k]} <= TIMES, step
