@@ -101,7 +101,9 @@ std::string data_words(LAMMPS *lmp, const NamedBearing &b, const PairBearing &pa
     words += std::string(" ") + side + "_shoulder_diameter_m=" +
              digits(b.number_or(std::string(side) + "_shoulder_diameter", 0.0));
   for (const FixBearingHeat *f : fixes_of<FixBearingHeat>(lmp))
-    if (!f->idle() && f->covers_type(b.balls)) words += " heat_ambient_C=" + digits(f->ambient());
+    if (!f->idle() && f->covers_type(b.balls))
+      words += " heat_ambient_C=" + digits(f->ambient()) +
+               " ball_expansion_per_K=" + digits(f->ball_expansion());
   return words;
 }
 

@@ -2,13 +2,43 @@
 // Derives variables from the given data of a bearing or an oil.
 #include "derive_data.h"
 
+#include "../core/geometry/ball_material.h"
 #include "../core/geometry/gothic_arch.h"
 #include "../core/geometry/usual_data.h"
 #include "../core/laws/oil_data.h"
+#include "../core/settings/deck_variable_table.h"
 
 namespace bearing {
 
 static constexpr double degree = M_PI / 180.0;
+
+void derive_materials(DataValues &deck, const DataValues::Map &values,
+                      const DataValues::Map &of_file)
+{
+  const auto is_zero = [&](const std::string &name) {
+    return !deck.has(name) || deck.number(name) == 0.0;
+  };
+  const bool ceramic = deck.has("ball_material") && deck.word("ball_material") == "silicon_nitride";
+  const raceway::BallMaterial &material = raceway::silicon_nitride;
+  const std::pair<std::string, double> elastic[] = {
+      {"young", material.young}, {"poisson", material.poisson}, {"density", material.density}};
+  for (const auto &[name, value] : elastic) {
+    const std::string ball = "ball_" + name, ring = "ring_" + name;
+    const auto stated = of_file.find(ball);
+    const bool by_deck =
+        deck.has(ball) && (stated == of_file.end() || stated->second != deck.word(ball));
+    const bool apart = !is_zero(ring);    // the file states the data of the rings, too
+    const DataValues::Map &source = ceramic ? of_file : values;
+    if (!apart) deck.set(ring, source.count(ball) ? source.at(ball) : usual_word(ball));
+    if (ceramic && !by_deck && (!apart || !deck.has(ball))) deck.set(ball, value);
+  }
+  if (!ceramic) return;
+  const std::pair<const char *, double> thermal[] = {{"ball_expansion", material.expansion},
+                                                     {"ball_heat_capacity", material.heat_capacity},
+                                                     {"ball_conductivity", material.conductivity}};
+  for (const auto &[name, value] : thermal)
+    if (is_zero(name)) deck.set(name, value);
+}
 
 void derive_usual_data(DataValues &deck)
 {
@@ -28,7 +58,7 @@ void derive_usual_data(DataValues &deck)
   const raceway::RingCylinder ring = {
       deck.number("bore_diameter"), deck.number("bearing_width"),
       raceway::RingCylinder::shoulder(deck.number("inner_radius"), ball)};
-  deck.suggest("inner_mass", ring.mass(deck.number("ball_density")));
+  deck.suggest("inner_mass", ring.mass(deck.number("ring_density")));
   deck.suggest("inner_inertia", ring.inertia(deck.number("inner_mass")));
   deck.suggest("inner_inertia_t", ring.inertia_t(deck.number("inner_mass")));
 }

@@ -6,6 +6,9 @@
 
 namespace bearing {
 
+// Completes the materials of balls and rings. If a file states a property of the balls alone, it is
+// that of the steel of both or, if the balls are of another material, that of the rings.
+void derive_materials(DataValues &, const DataValues::Map &values, const DataValues::Map &of_file);
 // Derives the complete data of a bearing from its usual data.
 void derive_usual_data(DataValues &);
 // Derives the raceways of a bearing. If `four_point` is 0, each ring has one groove.

@@ -6,6 +6,7 @@
 #include "../core/settings/written.h"
 #include "../ranks/gather.h"
 #include "fixes.h"
+#include "named_bearing.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -168,6 +169,15 @@ void FixBearingCapacitance::init()
   filled_ = -1;
   pair_->add_capacitor(groupbit, model_);
   if (model_.surrounded()) check_shoulders();
+  const std::vector<int> there = ball_types();
+  for (int type = 1; type <= atom->ntypes; ++type) {
+    const bearing::NamedBearing *const b =
+        there[type] ? bearing::bearing_of_type(lmp, type) : nullptr;
+    if (b && b->word("ball_material") != "steel" && comm->me == 0)
+      BRG_WARN(bearing::name_of(*this) + ": the balls of bearing " + b->name + " are of " +
+               b->word("ball_material") + ", which insulates, but the capacitances are those of " +
+               "balls of steel");
+  }
 }
 
 // Returns the atom types of the balls of the group, which are the same on all ranks.

@@ -166,6 +166,9 @@ void FixBearingHeat::find_network()
             ", which determines the heat capacities of its rings; specify the data with -var");
   const double bore = b.number("bore_diameter"), outside = b.number("outside_diameter"),
                width = b.number("bearing_width");
+  const auto or_steel = [&b](const char *name, double steel) {
+    return b.number(name) > 0.0 ? b.number(name) : steel;
+  };
   network_.housing = cooling_ > 0.0 ? cooling_ : iso_15312_conductance(bore, outside, width);
   for (const RacewayPhysics *p : pair_->coefficients().raceways_under(b.balls)) {
     if (p->number > 0) continue;
@@ -179,8 +182,14 @@ void FixBearingHeat::find_network()
     }
     network_.capacity[inner ? 0 : 2] =
         ring_capacity(p->groove, inner ? bore : outside, shoulder, width);
-    network_.capacity[1] = b.number("balls") * p->ball_mass * steel_heat;
+    network_.capacity[1] =
+        b.number("balls") * p->ball_mass * or_steel("ball_heat_capacity", steel_heat);
   }
+  ball_ = {1.0, or_steel("ball_expansion", steel_expansion) / steel_expansion};
+  if (b.number("ball_conductivity") > 0.0 || b.number("ball_heat_capacity") > 0.0)
+    ball_.effusivity =
+        effusivity_of_balls(or_steel("ball_conductivity", steel_conductivity),
+                            b.number("ball_density"), or_steel("ball_heat_capacity", steel_heat));
   if (oil_flow_ > 0.0) find_oil_flow();
 }
 
@@ -292,6 +301,7 @@ void FixBearingHeat::grow(double share)
   for (int k = 0; k < parts; ++k)
     strain[k] =
         steel_expansion * (now_.from[k] + share * (now_.to[k] - now_.from[k]) - network_.ambient);
+  strain[1] *= ball_.expansion;
   pair_->coefficients().grow(bearing_->balls, strain[0], strain[1], strain[2]);
 }
 
@@ -351,10 +361,10 @@ double FixBearingHeat::outlet() const
 double FixBearingHeat::clearance() const
 {
   const double *t = now_.heat.at, cold = network_.ambient;
-  return bearing_->number("clearance") + clearance_change(bearing_->number("b_inner_raceway"),
-                                                          bearing_->number("b_outer_raceway"),
-                                                          0.5 * bearing_->number("ball_diameter"),
-                                                          t[0] - cold, t[1] - cold, t[2] - cold);
+  return bearing_->number("clearance") +
+         clearance_change(bearing_->number("b_inner_raceway"), bearing_->number("b_outer_raceway"),
+                          0.5 * bearing_->number("ball_diameter"), t[0] - cold, t[1] - cold,
+                          t[2] - cold, ball_);
 }
 
 double FixBearingHeat::compute_scalar() { return compute_vector(of::OIL); }

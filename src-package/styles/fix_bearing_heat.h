@@ -15,6 +15,7 @@ FixStyle(bearing/heat,FixBearingHeat)
 
 #include "../contacts/law_follower.h"
 #include "../core/figures/fix_columns.h"
+#include "../core/laws/heat.h"
 #include "../core/laws/heat_jumps.h"
 #include "../deck/text_file.h"
 #include "bearing_compat.h"
@@ -54,6 +55,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   bool covers_type(int ball_type) const;
   double ambient() const { return network_.ambient; }    // ambient temperature, C, at which the
                                                          // bearing has the given clearance
+  double ball_expansion() const { return ball_.expansion * raceway::steel_expansion; }    // 1/K
 
  private:
   enum Stage { WAIT, RAMP, WATCH, LAST, STAY, READY };
@@ -107,6 +109,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   double cooling_ = 0.0, start_ = NAN;
   double oil_flow_ = 0.0, oil_inlet_ = NAN;    // m^3/s and C
   raceway::HeatNetwork network_;
+  raceway::BallHeat ball_;
   raceway::HeatControl control_;
   double bearings_ = 1.0;    // number of bearings that have these temperatures
   double ramp_ = 0.0;        // s, end of the load ramp

@@ -14,10 +14,8 @@
 using namespace LAMMPS_NS;
 using raceway::HeatPass;
 
-// Half of the loss in a contact heats each of the two bodies. The drag loss heats the oil if oil
-// flows; if the oil remains in the bearing, it transfers this heat to the surfaces that it wets.
-// Losses in contacts between the balls and the cage heat the balls. Sums are evaluated in the order
-// of tags, so that they are bitwise identical on any number of ranks.
+// The losses in contacts between the balls and the cage heat the balls. Sums are evaluated in the
+// order of tags, so that they are bitwise identical on any number of ranks.
 HeatPass FixBearingHeat::losses()
 {
   struct Share {
@@ -31,15 +29,15 @@ HeatPass FixBearingHeat::losses()
     const raceway::LossPowers powers = raceway::loss_powers(c.state);
     double power = 0.0;
     for (const double one : powers.of) power += one;
-    const double oil = network_.oil.flows() ? c.state.drag_power : 0.0;
-    power -= oil;
+    const double drag = c.state.drag_power;
+    power -= drag;
     const raceway::RacewayConstants k = c.raceway->law.at(c.state.cos_angle);
-    const double conductance =
-        raceway::contact_conductance(k.a * c.state.root, k.b * c.state.root, c.state.entrainment);
+    const double conductance = raceway::contact_conductance(k.a * c.state.root, k.b * c.state.root,
+                                                            c.state.entrainment, ball_);
     const bool inner = c.side() == raceway::Side::inner;
     HeatPass of;
-    of.heat[1] = of.heat[inner ? 0 : 2] = 0.5 * power;
-    of.heat[raceway::heat_nodes] = oil;
+    raceway::add_losses(of.heat, {inner ? power : 0.0, inner ? 0.0 : power, 0.0, drag},
+                        ball_.share(), network_.oil.flows());
     (inner ? of.inner : of.outer) = conductance;
     shares.push_back({c.ball, c.ring, double(c.groove()), of});
   }

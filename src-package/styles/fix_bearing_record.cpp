@@ -309,7 +309,10 @@ void FixBearingRecord::find_heats()
     for (size_t b = 0; b < type.size(); ++b)
       if (!f->idle() && f->covers_type(type[b])) {
         found[b] = f;
-        if (!any) note({"heat_ambient_C", f->ambient()});
+        if (!any) {
+          note({"heat_ambient_C", f->ambient()});
+          note({"ball_expansion_per_K", f->ball_expansion()});
+        }
         any = true;
       }
   if (any) heats_ = found;

@@ -138,6 +138,7 @@ void NameBearing::derive(const Arguments &args, NamedBearing &b)
     bearing::check_datum(args, b.data, *bearing::find_deck_variable(key));
   }
   DataValues values(args, map, b.data.label);
+  bearing::derive_materials(values, map, b.data.of_file);
   const bool usual = map.count("pitch_diameter") && !map.count("inner_radius");
   if (usual || map.count("inner_conformity")) {
     values.suggest("pocket_play", raceway::usual_play * values.number("ball_diameter"));

@@ -165,8 +165,8 @@ void PairBearing::resolve(Coeff &of)
   Arguments args(lmp, "pair_coeff * * " + of.bearing, {});
   const NamedBearing &b = bearing::bearing_of(lmp, args, of.bearing);
   const bool film = coefficients().lubricated();
-  std::string law = " young " + b.word("ball_young") + " " + b.word("ball_young") + " poisson " +
-                    b.word("ball_poisson") + " " + b.word("ball_poisson");
+  std::string law = " young " + b.word("ball_young") + " " + b.word("ring_young") + " poisson " +
+                    b.word("ball_poisson") + " " + b.word("ring_poisson");
   if (film)
     law += " lubricant " + of.data.at("viscosity") + " " + of.data.at("pressure_viscosity") +
            " roughness " + of.data.at("roughness") + " " + of.data.at("ball_roughness");

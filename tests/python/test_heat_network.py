@@ -103,8 +103,48 @@ def test_conductance_of_a_contact():
     assert along == pytest.approx(0.87402, abs=5e-6)
     property = float(steel.conductivity * steel.density * steel.heat)
     expected = along * 2 * a * np.sqrt(2 * property * b * u / np.pi)
-    assert float(laws.contact_conductance(a, b, u)) == pytest.approx(expected, rel=1e-9)
+    assert float(laws.contact_conductance(a, b, u, 1.0)) == pytest.approx(expected, rel=1e-9)
     assert expected == pytest.approx(0.242, abs=5e-4)
+
+
+def test_contact_of_different_materials():
+    """The reference is the heat equation in two bars that touch at their ends, one of which has
+    another conductivity and capacity, solved by finite volumes with implicit steps."""
+    k, c, ends = (4.0, 1.0), (1.0, 0.36), 1.0  # W/(m K), J/(m^3 K), s
+    effusivity = np.sqrt(k[0] * c[0] / (k[1] * c[1]))
+
+    def end(start, source):
+        """Return the temperature (2, n) at the end for a `source` of heat in W/m^2 at the joint."""
+        n = 400
+        edges = 25.0 * (np.linspace(0, 1, n + 1) ** 2)  # m, from the joint
+        width, centre = np.diff(edges), (edges[1:] + edges[:-1]) / 2
+        matrix, inflow = np.zeros((2 * n, 2 * n)), np.zeros(2 * n)
+        for side in (0, 1):
+            at, flow = side * n + np.arange(n), k[side] / np.diff(centre)
+            for i, one in enumerate(flow):
+                matrix[np.ix_(at[i : i + 2], at[i : i + 2])] += one * np.array([[1, -1], [-1, 1]])
+        # the joint without capacity is eliminated
+        half = np.array([k[side] / centre[0] for side in (0, 1)])
+        share, series = half / half.sum(), half.prod() / half.sum()
+        matrix[np.ix_([0, n], [0, n])] += series * np.array([[1, -1], [-1, 1]])
+        inflow[[0, n]] = source * share
+        capacity, now = np.r_[c[0] * width, c[1] * width], np.repeat(start, n).astype(float)
+        steps = 2000
+        solve = np.linalg.inv(np.diag(capacity * steps / ends) + matrix)
+        for _ in range(steps):
+            now = solve @ (capacity * steps / ends * now + inflow)
+        return now.reshape(2, n), width
+
+    at, width = end([1.0, 0.0], 0.0)
+    heat = c[1] * (at[1] * width).sum()  # J/m^2, that has flowed into the second bar
+    alike = 2 * np.sqrt(k[1] * c[1] * ends / np.pi) / 2  # if both were like the second one
+    steel = float(laws.contact_conductance(1.0, 1.0, 1.0, 1.0))
+    other = float(laws.contact_conductance(1.0, 1.0, 1.0, effusivity))
+    assert other / steel == pytest.approx(heat / alike, rel=0.01)
+    at, width = end([0.0, 0.0], 1.0)
+    first, second = (c[side] * (at[side] * width).sum() for side in (0, 1))
+    share = float(laws.heat_share_of_balls(effusivity))
+    assert share == pytest.approx(first / (first + second), rel=0.01)
 
 
 def test_convection_of_the_oil():
@@ -212,7 +252,7 @@ def test_heat_that_grows_evenly(net):
 def spread(net, loss):
     """Distribute a loss in W among the nodes and, if there is an oil flow, the oil."""
     oil = 0.1 * loss if net["flow"] else 0.0
-    return np.array(heat.into_nodes(0.6 * loss - oil, 0.4 * loss, oil=oil))
+    return np.array(heat.into_nodes(0.6 * loss - oil, 0.4 * loss, drag=oil, flows=True))
 
 
 def jump(net, losses, start, **control):

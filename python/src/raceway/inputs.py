@@ -5,6 +5,7 @@ import math
 from pathlib import Path
 from typing import NamedTuple
 
+from raceway import core
 from raceway.data_file import check, numbers, values
 from raceway.data_file import comments as comments  # re-exported
 from raceway.data_file import text as text
@@ -12,6 +13,7 @@ from raceway.errors import InputError
 from raceway.files import FilePath
 from raceway.sweeps import variable_table
 from raceway.theory import life, makers
+from raceway.theory.ball_material import BallMaterial, resolve
 from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.lubricant import Fluid, Lubricant, Vogel, Walther
 from raceway.theory.validity import Shoulders
@@ -37,7 +39,11 @@ FLUID = {
 
 # variables that a bearing file can omit if it states the pitch diameter and the conformities
 RADII = ("inner_radius", "outer_radius", "inner_groove", "outer_groove")
-STEEL = {name: float(variable_table.default(name)) for name in ("ball_young", "ball_poisson")}
+MATERIAL = [
+    *(f"ball_{name}" for name in "young poisson density expansion heat_capacity".split()),
+    *("ball_conductivity", "ring_young", "ring_poisson", "ring_density"),
+]
+ELASTIC = ("ball_young", "ball_poisson")
 
 
 class Oil(NamedTuple):
@@ -94,7 +100,8 @@ def _one_groove(path):
     data |= numbers(path, *given)
     data["balls"] = int(data["balls"])
     check(path, data)
-    numbers(path, *(name for name in variable_table.data() if name in known))
+    words = {"ball_material"}
+    numbers(path, *(name for name in variable_table.data() if name in known.keys() - words))
     for side in ("inner", "outer"):
         groove, raceway = data[f"{side}_groove"], data[f"{side}_radius"]
         if groove >= raceway:
@@ -102,10 +109,16 @@ def _one_groove(path):
                 f"{path}: {side}_groove = {groove:g} m must be below {side}_radius = {raceway:g} m"
             )
     needed = variable_table.needed("usual data" if "pitch_diameter" in known else "bearing data")
-    elastic = STEEL | numbers(path, *(name for name in STEEL if name in known or name in needed))
-    young, poisson = elastic["ball_young"], elastic["ball_poisson"]
+    numbers(path, *(name for name in ELASTIC if name in needed))
+    ball, ring = _materials(path)
     try:
-        return Bearing(**data, young=young, poisson=poisson)
+        return Bearing(
+            **data,
+            young=ball.young,
+            poisson=ball.poisson,
+            ring_young=ring.young,
+            ring_poisson=ring.poisson,
+        )
     except ValueError as error:
         raise InputError(f"{path}: {error}") from None
 
@@ -135,10 +148,23 @@ def held(
 def ball_density(path: FilePath) -> float:
     """Return the density of the balls (kg/m^3) stated in a file in inputs/bearings; the default is
     the density of steel. Raises `InputError`."""
-    name = "ball_density"
-    return (
-        numbers(path, name)[name] if name in values(path) else float(variable_table.default(name))
-    )
+    return ball_material(path).density
+
+
+def ball_material(path: FilePath) -> BallMaterial:
+    """Return the material of the balls stated in a file in inputs/bearings; the default is steel.
+    Raises `InputError`."""
+    return _materials(path)[0]
+
+
+def _materials(path):
+    """Return the `BallMaterial` and the `Steel` of the rings. Raises `InputError`."""
+    known = values(path)
+    stated = [name for name in MATERIAL if name in known]
+    material = known.get("ball_material", variable_table.default("ball_material"))
+    if wrong := core.wrong_value("ball_material", material):
+        raise InputError(f"{path}: {wrong}")
+    return resolve(numbers(path, *stated), material)
 
 
 def nominal_angle(path: FilePath) -> float:

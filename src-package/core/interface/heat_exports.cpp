@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Exports the heat transfer in a bearing (heat.h), the network of its nodes (heat_network.h) and
 // the jumps of their temperatures (heat_jumps.h).
+#include "../geometry/ball_material.h"
 #include "../geometry/ring_capacity.h"
 #include "../laws/heat_jumps.h"
 #include "exports.h"
@@ -10,6 +11,7 @@
 using namespace raceway;
 
 RECORD(SteelOfBearings, double conductivity, density, heat, expansion;)
+RECORD(MaterialOfBalls, double young, poisson, density, expansion, heat_capacity, conductivity;)
 // The nodes are the inner ring, the balls, the outer ring and the housing. The first three are
 // wetted by oil.
 RECORD(HeatNetworkOf, double capacity[4];
@@ -45,9 +47,24 @@ FORMULA(SteelOfBearings, steel_of_bearings, ())
   return {steel_conductivity, steel_density, steel_heat, steel_expansion};
 }
 
-FORMULA(double, contact_conductance, (double a, double b, double speed))
+FORMULA(MaterialOfBalls, silicon_nitride, ())
 {
-  return contact_conductance(a, b, speed);
+  const BallMaterial &of = raceway::silicon_nitride;
+  return {of.young, of.poisson, of.density, of.expansion, of.heat_capacity, of.conductivity};
+}
+
+// Returns the effusivity of the balls divided by that of the rings.
+FORMULA(double, effusivity_of_balls, (double conductivity, double density, double heat_capacity))
+{
+  return effusivity_of_balls(conductivity, density, heat_capacity);
+}
+
+// Returns the fraction of the heat generated in a contact that enters the ball.
+FORMULA(double, heat_share_of_balls, (double effusivity)) { return BallHeat{effusivity}.share(); }
+
+FORMULA(double, contact_conductance, (double a, double b, double speed, double effusivity))
+{
+  return contact_conductance(a, b, speed, {effusivity});
 }
 
 FORMULA(double, iso_15312_conductance, (double bore, double outside, double width))
@@ -70,9 +87,10 @@ FORMULA(double, ring_capacity,
 
 FORMULA(double, clearance_change,
         (double inner_radius, double outer_radius, double ball_radius, double inner, double balls,
-         double outer))
+         double outer, double ball_expansion))
 {
-  return clearance_change(inner_radius, outer_radius, ball_radius, inner, balls, outer);
+  return clearance_change(inner_radius, outer_radius, ball_radius, inner, balls, outer,
+                          {1.0, ball_expansion / steel_expansion});
 }
 
 // Returns the heat transfer coefficient of flowing oil in W/(m^2 K).
@@ -95,6 +113,15 @@ FORMULA(WettedSurfacesOf, wetted_surfaces,
 EXPORT(double, oil_outlet, (const HeatNetworkOf *net, const double surface[3], double heat))
 {
   return network(*net).oil.outlet(surface, heat);
+}
+
+// Computes the heat flows (W) into the nodes and the oil from losses (W), see add_losses.
+EXPORT(void, heat_of_losses,
+       (double inner, double outer, double balls, double drag, double share, bool flows,
+        double heat[5]))
+{
+  std::fill_n(heat, heat_inputs, 0.0);
+  add_losses(heat, {inner, outer, balls, drag}, share, flows);
 }
 
 // Computes the temperatures (C) after `time` seconds. The heat (W) into each node and into the oil

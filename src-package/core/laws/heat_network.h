@@ -20,6 +20,26 @@ namespace raceway {
 constexpr int heat_nodes = 4;                  // inner ring, balls, outer ring, housing
 constexpr int heat_inputs = heat_nodes + 1;    // W, into the nodes and into the flowing oil
 
+// Losses (W) of a bearing by the place where they arise.
+struct PlacedLosses {
+  double inner = 0.0, outer = 0.0;    // in contacts with the inner and the outer ring
+  double balls = 0.0;                 // in contacts of the balls with the cage
+  double drag = 0.0;                  // of the balls in the oil
+};
+
+// Adds the heat flows due to losses to `heat`, of which there are `heat_inputs`. The fraction
+// `share` of the loss in a contact enters the ball. The drag heats the oil; if the oil does not
+// flow, it transfers this heat to the surfaces that it wets, of which about half are those of the
+// balls.
+inline void add_losses(double *heat, const PlacedLosses &of, double share, bool flows)
+{
+  const double still = flows ? 0.0 : of.drag;
+  heat[0] += (1.0 - share) * of.inner + 0.25 * still;
+  heat[1] += share * (of.inner + of.outer) + of.balls + 0.5 * still;
+  heat[2] += (1.0 - share) * of.outer + 0.25 * still;
+  heat[heat_nodes] += of.drag - still;
+}
+
 struct HeatNetwork {
   double capacity[heat_nodes] = {};    // J/K; housing: 0 if there is none
   double inner = 0.0, outer = 0.0;     // W/K, conductance from each ring to all balls together

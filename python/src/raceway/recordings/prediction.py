@@ -35,7 +35,7 @@ class Model:
         self.readings = readings
         path, oil = readings.bearing, readings.lubricant
         self.bearing = inputs.bearing(path, one_groove="lines need one groove per ring")
-        self._density, self._size = inputs.ball_density(path), inputs.size(path)
+        self._balls, self._size = inputs.ball_material(path), inputs.size(path)
         self._near: dict[Point, dict[float, Running]] = {}  # results for the last state
         self._lubricant, self._roughness = inputs.lubricant(oil), inputs.oil(oil).roughness
 
@@ -112,7 +112,7 @@ class Model:
             load + point.load_more,
             axial,
             point.rpm,
-            self._density,
+            self._balls,
             models=self.readings.models,
             held=held,
             size=self._size,

@@ -124,6 +124,8 @@ def _bearing(record):
         "clearance_m": value["clearance"],
         "ball_young_Pa": value["ball_young"],
         "ball_poisson": value["ball_poisson"],
+        "ring_young_Pa": value["ring_young"],
+        "ring_poisson": value["ring_poisson"],
         "inner_ring": rings.get(0),
         "outer_ring": rings.get(1),
     }

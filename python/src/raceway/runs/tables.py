@@ -108,6 +108,8 @@ class RunTables:
             "outer_groove_m": "outer_groove",
             "ball_young_Pa": "young",
             "ball_poisson": "poisson",
+            "ring_young_Pa": "ring_young",
+            "ring_poisson": "ring_poisson",
         }
         try:
             return Bearing.from_mapping({name: self.settings[key] for key, name in names.items()})

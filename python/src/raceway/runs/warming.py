@@ -14,6 +14,7 @@ from raceway.files import FilePath
 from raceway.rows import Row
 from raceway.runs.columns import HEAT
 from raceway.runs.tables import RunTables
+from raceway.theory.ball_material import STEEL as STEEL_BALLS
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -92,7 +93,7 @@ def warm_clearance(tables: RunTables) -> float:
     bearing, ambient = tables.geometry, tables.settings["heat_ambient_C"]
     rises = [mean(tables.total_columns[f"temperature_{part}"]) - ambient for part in PARTS[:3]]
     radii = bearing.inner_radius, bearing.outer_radius, bearing.ball_radius
-    return cold + float(laws.clearance_change(*radii, *rises))
+    return cold + float(laws.clearance_change(*radii, *rises, _ball_expansion(tables)))
 
 
 def strains(tables: RunTables) -> tuple[Floats, Floats, Floats]:
@@ -101,12 +102,18 @@ def strains(tables: RunTables) -> tuple[Floats, Floats, Floats]:
     if not heated(tables):
         still = np.zeros(len(tables.total_columns["pressure"]))
         return still, still, still
-    expansion = float(laws.steel_of_bearings().expansion)
-    ambient = tables.settings["heat_ambient_C"]
+    ring, ball = float(laws.steel_of_bearings().expansion), _ball_expansion(tables)
     inner, balls, outer = (
-        expansion * (tables.total_columns[f"temperature_{part}"] - ambient) for part in PARTS[:3]
+        tables.total_columns[f"temperature_{part}"] - tables.settings["heat_ambient_C"]
+        for part in PARTS[:3]
     )
-    return inner, balls, outer
+    return ring * inner, ball * balls, ring * outer
+
+
+def _ball_expansion(tables):
+    """Return the coefficient of thermal expansion of the balls in 1/K, which records of steel balls
+    need not state."""
+    return tables.settings.get("ball_expansion_per_K", STEEL_BALLS.expansion)
 
 
 def _last_jump(tables):

@@ -51,8 +51,8 @@ SAME = (
     *("unbalance_kg_m", "clearance_m", "balls", "ball_diameter_m", "inner_radius_m"),
     *("outer_radius_m", "inner_groove_m", "outer_groove_m", "inner_shoulder_diameter_m"),
     *("outer_shoulder_diameter_m", "cage_ball_diameter_m", "ball_mass_kg", "ball_young_Pa"),
-    *("ball_poisson", "viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity"),
-    *("roughness_m", "flaws"),
+    *("ball_poisson", "ring_young_Pa", "ring_poisson", "viscosity_Pa_s"),
+    *("pressure_viscosity_per_Pa", "permittivity", "roughness_m", "flaws"),
 )
 # results, not data, of a run whose temperatures follow from its losses
 OF_HEAT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity")

@@ -76,7 +76,7 @@ def by_runs(
             )
             if abs(change) < CLOSE:
                 break
-    rest = scene.rest(found["temperature_C"], found["clearance_warm_m"])
+    rest = found["warm"].rest(found["temperature_C"], case.clearance)
     return dict(
         case.report(scene, dict(found, losses_W=ran["losses_W"]), rest),
         runs=number,

@@ -16,7 +16,7 @@ import numpy as np
 
 from raceway.arrays import Floats, Numbers
 from raceway.core import laws
-from raceway.theory.steel import STEEL
+from raceway.theory.steel import STEEL, Steel
 
 INNER, OUTER = 0, 1
 MOST = 1.0  # m; larger values are assumed to have been given in millimetres
@@ -64,7 +64,8 @@ class Layout:
 @dataclass(frozen=True)
 class Bearing:
     """A ball bearing, with lengths in m and `young` in Pa. `balls` is the number of balls in each
-    row, and `outer_radius` is the radius without clearance.
+    row, and `outer_radius` is the radius without clearance. `young` and `poisson` are those of the
+    balls, and of the rings unless `ring_young` and `ring_poisson` are given.
 
     Raises `ValueError` if a size is not positive or a groove is not wider than its ball, and warns
     if a size appears to be in millimetres.
@@ -79,11 +80,15 @@ class Bearing:
     young: float = STEEL.young
     poisson: float = STEEL.poisson
     layout: Layout = Layout()
+    ring_young: float | None = None
+    ring_poisson: float | None = None
 
     def __post_init__(self):
-        for field in fields(self)[:-1]:
+        for field in fields(self):
             value = getattr(self, field.name)
-            if not (np.isfinite(value) and (value > 0 or field.name == "poisson")):
+            if field.name == "layout" or value is None:
+                continue
+            if not (np.isfinite(value) and (value > 0 or field.name.endswith("poisson"))):
                 raise ValueError(f"{field.name} = {value} must be positive")
         if self.ball_diameter > MOST:
             warnings.warn(
@@ -91,8 +96,13 @@ class Bearing:
                 f"{self.ball_diameter:g} mm is {1e-3 * self.ball_diameter:g}",
                 stacklevel=3,
             )
-        if not -1 < self.poisson < 0.5:
-            raise ValueError(f"poisson = {self.poisson} must lie between -1 and 0.5")
+        if self.ring[:2] == (self.young, self.poisson):  # so that alike bearings are equal
+            for name in ("ring_young", "ring_poisson"):
+                object.__setattr__(self, name, None)
+        for name in ("poisson", "ring_poisson"):
+            value = getattr(self, name)
+            if value is not None and not -1 < value < 0.5:
+                raise ValueError(f"{name} = {value} must lie between -1 and 0.5")
         for name in ("inner_groove", "outer_groove"):
             if getattr(self, name) <= self.ball_radius:
                 raise ValueError(
@@ -115,13 +125,14 @@ class Bearing:
     def from_mapping(cls, data: Mapping[str, Any]) -> "Bearing":
         """Create a bearing from a mapping whose keys are the field names. Raises `ValueError` for a
         missing or unknown key."""
-        known = {field.name for field in fields(cls)[:-1]}
+        known = {field.name for field in fields(cls)} - {"layout"}
         if unknown := sorted(set(data) - known):
             raise ValueError(f"unknown bearing data: {', '.join(unknown)}")
         try:
             return cls(**data)
         except TypeError:
-            missing = sorted(known - set(data) - {"young", "poisson"})
+            usual = {"young", "poisson", "ring_young", "ring_poisson"}
+            missing = sorted(known - set(data) - usual)
             raise ValueError(f"missing bearing data: {', '.join(missing)}") from None
 
     def four_point(self, angle: float) -> "Bearing":
@@ -179,6 +190,18 @@ class Bearing:
         )
         return replace(self, layout=layout)
 
+    def grown(self, inner: float, balls: float, outer: float) -> "Bearing":
+        """Return the bearing whose inner ring, balls and outer ring have these thermal strains, as
+        in a run (`RacewayPhysics::grow`)."""
+        return replace(
+            self,
+            inner_radius=self.inner_radius * (1 + inner),
+            inner_groove=self.inner_groove * (1 + inner),
+            ball_diameter=self.ball_diameter * (1 + balls),
+            outer_radius=self.outer_radius * (1 + outer),
+            outer_groove=self.outer_groove * (1 + outer),
+        )
+
     def seat(self, angle: float) -> float:
         """Return the displacement in m of the inner ring along z at which the balls touch both
         raceways at the free contact `angle` (rad)."""
@@ -216,9 +239,16 @@ class Bearing:
 
     @property
     def effective_modulus(self) -> float:
-        """E' = E/(1 - nu^2), Pa, which is Hamrock's 2/sum((1 - nu^2)/E) for identical bodies (eq
+        """Hamrock's E' = 2/sum((1 - nu^2)/E), Pa, which is E/(1 - nu^2) for identical bodies (eq
         2)."""
-        return self.young / (1 - self.poisson**2)
+        ball, ring = (steel.young / (1 - steel.poisson**2) for steel in (self, self.ring))
+        return ball if ball == ring else 2 / (1 / ball + 1 / ring)
+
+    @property
+    def ring(self) -> Steel:
+        """Elastic constants of the rings; the density is not that of the bearing."""
+        young = self.young if self.ring_young is None else self.ring_young
+        return Steel(young, self.poisson if self.ring_poisson is None else self.ring_poisson)
 
     def groove(self, raceway: int) -> float:
         """Return the groove radius r_c of a raceway (`INNER` or `OUTER`) in m."""

@@ -156,6 +156,11 @@ def solve(
         raise ValueError(f"models '{models}' is not one of {', '.join(CAPACITANCE)}")
     if not rpm:
         raise ValueError("rpm = 0: balls that do not turn have no film")
+    material = inputs.values(path).get("ball_material", "steel")
+    if material != "steel":
+        raise inputs.InputError(
+            f"{path}: balls of {material} insulate, but the capacitances are those of steel balls"
+        )
     body = inputs.bearing(path, four_point=four_point, double_row=double_row)
     oil = inputs.oil(oil_path, temperature)
     fluid = inputs.fluid(oil_path, temperature)

@@ -57,7 +57,7 @@ def clearance_change(
             "the diameters of shaft bore, bore, inner raceway, outer raceway, outside and housing"
             f" must increase: {', '.join(f'{one:g}' for one in order)} m"
         )
-    ring = Material(bearing.young, bearing.poisson)
+    ring = Material(bearing.ring.young, bearing.ring.poisson)
     grows = 0.0
     if shaft > 0:
         pressure = shaft / (_shrinks(shaft_bore, bore, shaft_material) + _widens(bore, inner, ring))

@@ -14,6 +14,7 @@ from scipy.optimize import brentq
 from raceway.arrays import Floats, Numbers
 from raceway.core import laws, library
 from raceway.theory import makers
+from raceway.theory.ball_material import STEEL as STEEL_BALLS
 from raceway.theory.bearing import Bearing
 from raceway.theory.lubricant import Fluid
 from raceway.theory.lubrication import Lubrication
@@ -139,12 +140,15 @@ def outlet(of: Mapping[str, Any], surfaces: ArrayLike, heat: float = 0.0) -> flo
     return library().call("oil_outlet", net=of, surface=surfaces, heat=heat)
 
 
-def conductances(state: Equilibrium, films: Lubrication) -> tuple[float, float]:
+def conductances(
+    state: Equilibrium, films: Lubrication, effusivity: float = 1.0
+) -> tuple[float, float]:
     """Return the conductances in W/K from the inner ring and from the outer ring to all balls
-    through the moving contacts. Each contact contributes 0.874 2a sqrt(2 k rho c b u/pi)."""
+    through the moving contacts. Each contact contributes 0.874 2a sqrt(2 k rho c b u/pi) between
+    balls and rings of steel; `effusivity` is that of the balls divided by that of the rings."""
     sides = ((state.inner, films.inner), (state.outer, films.outer))
     return tuple(
-        float(laws.contact_conductance(at.a, at.b, film.entrainment)[at.load > 0].sum())
+        float(laws.contact_conductance(at.a, at.b, film.entrainment, effusivity)[at.load > 0].sum())
         for at, film in sides
     )
 
@@ -169,11 +173,23 @@ def oil_flow(
     return OilFlow(flow, inlet, tuple(float(one) for one in wetted), float(convection))
 
 
-def into_nodes(inner: float, outer: float, balls: float = 0.0, oil: float = 0.0) -> list[float]:
-    """Return the heat in W into the nodes and the oil of a `network`. Half of the power dissipated
-    at each raceway heats the ring and half the balls. Losses at the `balls` alone and in flowing
-    `oil` are added."""
-    return [inner / 2, (inner + outer) / 2 + balls, outer / 2, 0.0, oil]
+def into_nodes(
+    inner: float,
+    outer: float,
+    balls: float = 0.0,
+    drag: float = 0.0,
+    *,
+    flows: bool = False,
+    share: float = 0.5,
+) -> Floats:
+    """Return the heat in W into the nodes and the oil (5,) of a `network`. The fraction `share` of
+    the power dissipated at each raceway heats the balls, and the rest heats the ring. Losses at the
+    `balls` alone are added. The `drag` heats the oil if it `flows`; otherwise half of it heats the
+    balls and a quarter each ring."""
+    return library().call(
+        "heat_of_losses",
+        inner=inner, outer=outer, balls=balls, drag=drag, share=share, flows=flows,
+    )  # fmt: skip
 
 
 def three_nodes(
@@ -185,11 +201,12 @@ def three_nodes(
     contact: float | tuple[float, float],
     ambient: float = 20.0,
     balls: float = 0.0,
-    oil: float = 0.0,
+    drag: float = 0.0,
     flow: OilFlow = STILL,
+    share: float = 0.5,
 ) -> Nodes:
-    """Return the `Nodes` in the steady state for losses in W at the `inner` and the `outer` raceway
-    (half of which heat the balls), at the `balls` alone, and in the `oil` of a `flow`.
+    """Return the `Nodes` in the steady state for the losses in W of `into_nodes` and the oil of a
+    `flow`.
 
     Conductances are in W/K: `shaft` from the inner ring to ambient, `housing` from the outer ring
     to ambient, and `contact` from a ring to all balls, which may be a pair of values for the inner
@@ -197,14 +214,22 @@ def three_nodes(
     """
     contacts = contact if isinstance(contact, tuple) else (contact, contact)
     of = network(contacts=contacts, shaft=shaft, housing=housing, ambient=ambient, oil=flow)
-    return Nodes(*steady(of, into_nodes(inner, outer, balls, oil))[1][:3].tolist())
+    losses = into_nodes(inner, outer, balls, drag, flows=flow.flow > 0, share=share)
+    return Nodes(*steady(of, losses)[1][:3].tolist())
 
 
-def clearance_change(bearing: Bearing, inner: Numbers, balls: Numbers, outer: Numbers) -> Numbers:
+def clearance_change(
+    bearing: Bearing,
+    inner: Numbers,
+    balls: Numbers,
+    outer: Numbers,
+    expansion: float = STEEL_BALLS.expansion,
+) -> Numbers:
     """Return the change in the diametral clearance in m for temperature rises in K of inner ring,
-    balls and outer ring, -12e-6 (D_i dT_i + 2 D_w dT_b - D_e dT_e)."""
+    balls and outer ring, -12e-6 (D_i dT_i + 2 D_w dT_b - D_e dT_e) if the `expansion` of the balls
+    (1/K) is that of steel."""
     radii = bearing.inner_radius, bearing.outer_radius, bearing.ball_radius
-    return laws.clearance_change(*radii, inner, balls, outer)
+    return laws.clearance_change(*radii, inner, balls, outer, expansion)
 
 
 def flash(flux: Numbers, b: Numbers, speed: Numbers) -> Numbers:

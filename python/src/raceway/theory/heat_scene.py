@@ -10,14 +10,16 @@ carries heat away.
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 from raceway import inputs
+from raceway.core import laws
 from raceway.errors import NoEquilibrium
 from raceway.theory import ball_pass, cage_drag, contact_friction, heat, makers, running
+from raceway.theory.ball_material import STEEL, BallMaterial
 from raceway.theory.bearing import INNER, Bearing
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubricant import Fluid, Lubricant
@@ -25,7 +27,6 @@ from raceway.theory.models import DEFAULT
 from raceway.theory.oil_supply import BATH, Supply
 from raceway.theory.running import Friction, Running
 from raceway.theory.static import STRAIGHT
-from raceway.theory.steel import STEEL
 
 ENOUGH = 0.01  # K, tolerance of the temperature
 
@@ -62,7 +63,7 @@ class Scene:
     load: float
     axial: float
     rpm: float
-    density: float = STEEL.density  # kg/m^3, of the balls
+    balls: BallMaterial = STEEL
     spin_law: str = "closed"
     models: str = DEFAULT
     held: Mapping[str, float] = field(default_factory=STRAIGHT.copy)
@@ -78,6 +79,12 @@ class Scene:
     def ring(self) -> float:
         """Speed of the inner ring in rad/s."""
         return self.rpm * math.pi / 30
+
+    def grown(self, inner: float, balls: float, outer: float) -> "Scene":
+        """Return the scene with parts that have expanded under these temperature rises in K."""
+        steel = float(laws.steel_of_bearings().expansion)
+        strains = steel * inner, self.balls.expansion * balls, steel * outer
+        return replace(self, bearing=self.bearing.grown(*strains))
 
     def over_pass(self, temperature: float, clearance: float) -> list[tuple[float, Running]]:
         """Return [(share of the ball pass, result of `rest`)] for the positions of the balls that
@@ -113,7 +120,7 @@ class Scene:
             film=None if self.models == "paper" else FilmInGap(fluid, ring),
             friction=Friction(surfaces, self.spin_law, self.cage),
             clearance=clearance,
-            density=self.density,
+            density=self.balls.density,
             near_motion=near and near.motion,
             held=self.held,
             phase=phase,
@@ -159,7 +166,12 @@ class Scene:
             "sides": tuple((sides + drag / 2).tolist()),
             "cage": float(own([one.cage or 0.0 for one in lost])),
             "contacts": tuple(
-                mean([heat.conductances(rest.state, rest.films) for rest in rests]).tolist()
+                mean(
+                    [
+                        heat.conductances(rest.state, rest.films, self.balls.effusivity)
+                        for rest in rests
+                    ]
+                ).tolist()
             ),
             "drag": drag,
             "flow": self.flow(fluid, float(mean([np.mean(rest.orbit) for rest in rests]))),
@@ -205,6 +217,7 @@ def one_node(scene: Scene, conductance: float, ambient: float, clearance: float)
         **_carried(at, [temperature] * 3),
         temperature_C=temperature,
         clearance_warm_m=clearance,
+        warm=scene,
     )
 
 
@@ -221,22 +234,32 @@ def _carried(found, surfaces):
 def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) -> dict[str, Any]:
     """Return the steady-state results with separate temperatures for the `Nodes`; `clearance` is
     the clearance of the bearing at `ambient`. Raises `NoEquilibrium` if no steady state is found up
-    to 200 C."""
-    warm, oil = clearance, ambient + 20.0
+    to 200 C. `warm` is the `Scene` with the warm parts, which has the cold `clearance`."""
+    now = np.full(3, ambient + 20.0)  # degrees C, temperatures with which the losses are computed
     part = 0.6  # under-relaxation: friction decreases as the oil warms, so full steps overshoot
+
+    def change(temperatures):
+        rises = np.asarray(temperatures) - ambient
+        return float(heat.clearance_change(scene.bearing, *rises, scene.balls.expansion))
+
     for _ in range(80):
-        found = scene.at(oil, warm)
+        oil, warm = float(now.mean()), scene.grown(*(now - ambient))
+        found = warm.at(oil, clearance)
         flow = found["flow"]
-        drag = found["drag"] if flow.flow else 0.0
+        drag = found["drag"]
         inner, outer = (side - drag / 2 for side in found["sides"])
         of = vars(nodes) | {"contact": nodes.contact or found["contacts"]}
         at = heat.three_nodes(
-            inner, outer, balls=found["cage"], ambient=ambient, oil=drag, flow=flow, **of
+            inner,
+            outer,
+            balls=found["cage"],
+            ambient=ambient,
+            drag=drag,
+            flow=flow,
+            share=scene.balls.heat_share,
+            **of,
         )
-        rises = (value - ambient for value in at)
-        target = clearance + float(heat.clearance_change(scene.bearing, *rises))
-        mean = sum(at) / 3
-        if abs(mean - oil) < ENOUGH and abs(target - warm) < 1e-9:
+        if abs(sum(at) / 3 - oil) < ENOUGH and abs(change(at) - change(now)) < 1e-9:
             return dict(
                 found,
                 temperature_C=oil,
@@ -244,9 +267,10 @@ def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) ->
                 temperature_balls_C=at.balls,
                 temperature_outer_C=at.outer,
                 **_carried(found, at),
-                clearance_warm_m=warm,
+                clearance_warm_m=clearance + change(now),
+                warm=warm,
             )
-        oil, warm = oil + part * (mean - oil), warm + part * (target - warm)
-        if not oil <= 200:  # it is NaN if the conductances are too small for their reciprocals
+        now = now + part * (np.asarray(at) - now)
+        if not now.mean() <= 200:  # it is NaN if conductances are too small for their reciprocals
             break
-    raise NoEquilibrium(f"no steady temperature up to 200 C: the oil is at {oil:.4g} C")
+    raise NoEquilibrium(f"no steady temperature up to 200 C: the oil is at {now.mean():.4g} C")

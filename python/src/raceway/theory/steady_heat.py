@@ -21,7 +21,7 @@ from raceway.theory.static import STRAIGHT
 from raceway.theory.validity import of_statics
 
 # results of a `Scene` for its heat balance
-OF_NODES = ("sides", "cage", "contacts", "drag", "flow")
+OF_NODES = ("sides", "cage", "contacts", "drag", "flow", "warm")
 TOPICS = {
     "Operating point": (
         row("bearing"),
@@ -134,7 +134,7 @@ class Case:
             self.load,
             self.axial,
             self.rpm,
-            inputs.ball_density(path),
+            inputs.ball_material(path),
             self.spin_law,
             self.models,
             STRAIGHT | inputs.held(path, self.axial, self.clearance, self.double_row),
@@ -236,7 +236,7 @@ def figures(*names: Any, **point: Any) -> dict[str, Any]:
     scene = case.scene()
     steady = case.steady(scene)
     # with a ball on the load line, as in `raceway static`
-    rest = scene.rest(steady["temperature_C"], steady["clearance_warm_m"])
+    rest = steady["warm"].rest(steady["temperature_C"], case.clearance)
     result = case.report(scene, steady, rest)
     lost = rest.losses()
     ahead = operating_warnings.advance(rest, lost, case.cage)
