@@ -93,7 +93,10 @@ def test_run_and_statics(tmp_path, hybrid):
     usual = static.equilibrium(steel, load).shift[0]
     assert rest.shift[0] / usual == pytest.approx(ratio, rel=1e-9)
     largest = tables.total_columns["load_inner"].mean()
-    assert largest == pytest.approx(rest.inner.load.max(), rel=0.02)
+    phases = np.linspace(-np.pi / 9, np.pi / 9, 40, endpoint=False)
+    pass_over = [static.equilibrium(body, load, phase=one).inner.load.max() for one in phases]
+    # the film and the speed, which statics without oil leaves out, change loads by some 1e-3
+    assert largest == pytest.approx(np.mean(pass_over), rel=5e-3)
 
 
 @pytest.mark.parametrize("material", ["steel", "silicon_nitride"])

@@ -5,11 +5,11 @@
 namespace raceway {
 
 struct BallMaterial {
-  double young, poisson;          // Pa
-  double density;                 // kg/m^3
-  double expansion;               // 1/K
-  double heat_capacity;           // J/(kg K)
-  double conductivity;            // W/(m K)
+  double young, poisson;    // Pa
+  double density;           // kg/m^3
+  double expansion;         // 1/K
+  double heat_capacity;     // J/(kg K)
+  double conductivity;      // W/(m K)
 };
 
 // Gas-pressure sintered silicon nitride (Lily Bearing, "Ceramic materials and their properties");
