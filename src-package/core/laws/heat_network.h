@@ -29,8 +29,8 @@ struct PlacedLosses {
 
 // Adds the heat flows due to losses to `heat`, of which there are `heat_inputs`. The fraction
 // `share` of the loss in a contact enters the ball. The drag heats the oil; if the oil does not
-// flow, it transfers this heat to the surfaces that it wets, of which about half are those of the
-// balls.
+// flow, it transfers this heat to the surfaces that it wets. In a 6208, 40 % of them are those of
+// the balls, 24 % those of the inner and 36 % those of the outer ring.
 inline void add_losses(double *heat, const PlacedLosses &of, double share, bool flows)
 {
   const double still = flows ? 0.0 : of.drag;
