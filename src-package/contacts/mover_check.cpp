@@ -15,20 +15,24 @@ static bool of_points(const std::string &style)
          style.find("sphere") == std::string::npos;
 }
 
-Lacking unmoved(LAMMPS *lmp, const std::function<bool(int)> &type, bool turning)
+// Frozen atoms are meant to stay.
+static bool moves(const Fix &f) { return f.time_integrate || strcmp(f.style, "freeze") == 0; }
+
+static bool turns(const Fix &f) { return moves(f) && !of_points(f.style); }
+
+static bool touches(const Fix &f) { return strcmp(f.style, "bearing/grains") == 0; }
+
+// Returns the atoms of the given types that are in the group of no fix for which `serves` is true.
+static Lacking lacking(LAMMPS *lmp, const std::function<bool(int)> &type, bool serves(const Fix &))
 {
   const Atom &atom = *lmp->atom;
-  int movers = 0;
-  for (int k = 0; k < lmp->modify->nfix; ++k) {
-    const Fix &f = *lmp->modify->fix[k];
-    // frozen atoms are meant to stay
-    if ((f.time_integrate && !(turning && of_points(f.style))) || strcmp(f.style, "freeze") == 0)
-      movers |= f.groupbit;
-  }
+  int served = 0;
+  for (int k = 0; k < lmp->modify->nfix; ++k)
+    if (serves(*lmp->modify->fix[k])) served |= lmp->modify->fix[k]->groupbit;
   long count = 0;
   double first = HUGE_VAL;
   for (int i = 0; i < atom.nlocal; ++i)
-    if (type(atom.type[i]) && !(atom.mask[i] & movers)) {
+    if (type(atom.type[i]) && !(atom.mask[i] & served)) {
       ++count;
       first = std::min(first, static_cast<double>(atom.tag[i]));
     }
@@ -37,13 +41,19 @@ Lacking unmoved(LAMMPS *lmp, const std::function<bool(int)> &type, bool turning)
   return {count, first};
 }
 
-void MoverCheck::look(LAMMPS *lmp, const PairCoefficients &types)
+Lacking unmoved(LAMMPS *lmp, const std::function<bool(int)> &type)
+{
+  return lacking(lmp, type, moves);
+}
+
+void MoverCheck::look(LAMMPS *lmp, const PairCoefficients &types, int implicit)
 {
   for (int k = 0; k < lmp->modify->nfix; ++k) {
     const Fix &f = *lmp->modify->fix[k];
     if (!f.time_integrate || strncmp(f.style, "bearing/", 8) == 0) continue;
     for (int i = 0; i < lmp->atom->nlocal; ++i)
-      if ((lmp->atom->mask[i] & f.groupbit) && types.is_ring(lmp->atom->type[i]))
+      if ((lmp->atom->mask[i] & f.groupbit) && !(lmp->atom->mask[i] & implicit) &&
+          types.is_ring(lmp->atom->type[i]))
         lmp->error->one(FLERR, BRG_TEXT("fix " + std::string(f.id) + " " + f.style +
                                         " moves ring atom " + std::to_string(lmp->atom->tag[i]) +
                                         ": only fix bearing/ring, bearing/shaft and "
@@ -57,18 +67,20 @@ void MoverCheck::look(LAMMPS *lmp, const PairCoefficients &types)
   const Lacking bodies = unmoved(lmp, body), grains = unmoved(lmp, grain);
   warn(lmp, 0, bodies, "moves balls or cage balls", any);
   warn(lmp, 1, grains, "moves grains", nve);
-  if (bodies.count == 0) warn(lmp, 2, unmoved(lmp, ball, true), "turns balls", any);
-  if (grains.count == 0) warn(lmp, 3, unmoved(lmp, grain, true), "turns grains", nve);
+  if (bodies.count == 0) warn(lmp, 2, lacking(lmp, ball, turns), "turns balls", any);
+  if (grains.count == 0) warn(lmp, 3, lacking(lmp, grain, turns), "turns grains", nve);
+  warn(lmp, 4, lacking(lmp, grain, touches), "computes the contacts of grains",
+       "their group needs fix bearing/grains");
 }
 
 void MoverCheck::warn(LAMMPS *lmp, int which, const Lacking &of, const std::string &what,
                       const std::string &need)
 {
   if (of.count > 0 && of.count != warned_[which] && lmp->comm->me == 0)
-    lmp->error->warning(FLERR, BRG_TEXT("pair_style bearing: no fix " + what + " (" +
-                                        std::to_string(of.count) + " atoms, the first is " +
-                                        std::to_string(static_cast<long>(of.first)) +
-                                        "): " + need));
+    lmp->error->warning(FLERR,
+                        BRG_TEXT("pair_style bearing: no fix " + what + " (" +
+                                 std::to_string(of.count) + " atoms, the first is " +
+                                 std::to_string(static_cast<long>(of.first)) + "): " + need));
   warned_[which] = of.count;
 }
 

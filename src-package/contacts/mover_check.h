@@ -16,21 +16,21 @@ struct Lacking {
   double first = 0.0;    // lowest atom number
 };
 
-// Returns the atoms of the given types that no fix moves. If `turning` is true, fixes that move
-// atoms without turning them do not count.
-Lacking unmoved(LAMMPS_NS::LAMMPS *, const std::function<bool(int)> &type, bool turning = false);
+// Returns the atoms of the given types that no fix moves.
+Lacking unmoved(LAMMPS_NS::LAMMPS *, const std::function<bool(int)> &type);
 
 class MoverCheck {
  public:
-  // Warns of balls, cage balls and grains that no fix moves or turns, whenever their number has
-  // changed. Stops with an error if a fix of the host moves a ring.
-  void look(LAMMPS_NS::LAMMPS *, const PairCoefficients &);
+  // Warns of balls, cage balls and grains that no fix moves or turns, and of grains without
+  // contacts, whenever their number has changed. Stops with an error if a fix of the host moves a ring, unless the ring is in the
+  // groups `implicit` of the fixes bearing/implicit, which check what else moves their atoms.
+  void look(LAMMPS_NS::LAMMPS *, const PairCoefficients &, int implicit);
 
  private:
   void warn(LAMMPS_NS::LAMMPS *, int which, const Lacking &, const std::string &what,
             const std::string &need);
 
-  long warned_[4] = {};
+  long warned_[5] = {};
 };
 
 }    // namespace bearing

@@ -171,7 +171,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   std::vector<double> report_;
   bigint reported_ = -1;
   std::set<std::string> idle_;    // loads without effect of which a warning has been printed
-  bool noted_ = true;    // true if the accelerations follow from the forces in atom->f
+  bool noted_ = true;             // true if the accelerations follow from the forces in atom->f
 };
 
 }    // namespace LAMMPS_NS

@@ -19,7 +19,10 @@ void FixBearingRing::warn_if_idle(int dof, double load, const std::string &force
   if (!idle_.insert(what + axis).second || comm->me != 0) return;
   BRG_WARN(bearing::name_of(*this) + ": " + what + " of " + text(load) +
            (turns ? " N m about " : " N along ") + axis + " has no effect, because " +
-           (dof == RingProgram::SPIN ? "spin" : turns ? "r" + axis : axis) + " is not free");
+           (dof == RingProgram::SPIN ? "spin"
+            : turns                  ? "r" + axis
+                                     : axis) +
+           " is not free");
 }
 
 // Warns at the start of a run of loads that are not values at an instant: those of single rings,
@@ -38,9 +41,8 @@ void FixBearingRing::warn_of_idle_loads()
   }
   const RingProgram &p = settings_.program;
   if (p.free(0) || p.free(1)) return;
-  for (const auto &[what, size, unit] :
-       {std::tuple{"rotating force", p.turning.size, "N"},
-        std::tuple{"unbalance", p.unbalance.moment, "kg m"}})
+  for (const auto &[what, size, unit] : {std::tuple{"rotating force", p.turning.size, "N"},
+                                         std::tuple{"unbalance", p.unbalance.moment, "kg m"}})
     if (size != 0.0 && idle_.insert(what).second && comm->me == 0)
       BRG_WARN(bearing::name_of(*this) + ": " + what + " of " + text(size) + " " + unit +
                " has no effect, because neither " + "xyz"[axes_.lab_axis(0)] + " nor " +

@@ -133,7 +133,7 @@ void PairBearingHertz::init_style()
   check_ghosts();
   check_types(sizes.count);
   check_rails();
-  if (update->nsteps > 0) movers_.look(lmp, coefficients_);
+  if (update->nsteps > 0) movers_.look(lmp, coefficients_, implicit_bits_);
   profiles_.clear();    // these are set again by the fixes bearing/profile
   atoms_ = count_atoms();
   put_state_last();

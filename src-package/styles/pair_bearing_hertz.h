@@ -130,8 +130,8 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   std::vector<bearing::LawFollower *> followers_;
   std::set<int> silent_types_;    // types without pair_coeff for which a warning was printed
   bearing::MoverCheck movers_;
-  bigint without_rails_ = 0;      // number of cage balls without rails
-  int implicit_bits_ = 0;         // groups of the fixes that advance contact states themselves
+  bigint without_rails_ = 0;    // number of cage balls without rails
+  int implicit_bits_ = 0;       // groups of the fixes that advance contact states themselves
   bearing::ContactTable table_;
   std::vector<std::pair<int, int>> grains_;
   bearing::ContactEvaluator evaluator_;

@@ -2,6 +2,8 @@
 """The hosts do not move atoms that are in the group of no integrator. A run warns of balls, cage
 balls and grains that no fix moves or turns, and only fixes of this package move rings."""
 
+import re
+
 import numpy as np
 import pytest
 from host import deck_file, named_bearing, refuses, succeed
@@ -33,6 +35,12 @@ LACKING = {
     f"{GRAINS}\nfix move some nve/sphere": "moves balls or cage balls (13 atoms, the first is 4)",
     f"{GRAINS}\nfix move bodies nve": "no fix turns balls (9 atoms, the first is 1)",
 }
+
+
+def test_grains_without_contacts_are_noted(tmp_path):
+    text = re.sub("fix vessel .*", "", DECK.format(fixes=f"{BODIES}\n{GRAINS}"))
+    found = succeed(deck_file(tmp_path, text)).text
+    assert found.count("no fix computes the contacts of grains (1 atoms, the first is 21)") == 1
 
 
 @pytest.mark.parametrize("host", HOSTS)
@@ -80,3 +88,48 @@ def test_a_ring_without_a_fix_stands_still(tmp_path, mover):
         succeed(deck_file(tmp_path, deck.replace("run 100", pushed + "run 1000") + END.format(out)))
         found.append(np.loadtxt(out, skiprows=9, max_rows=21))
     assert (found[0][19, 4:] == 0).all() and (found[1] == found[0]).all()
+
+
+SPACE = {"neighbor": "2.0e-3 bin", "every": 1, "sides": "-0.06 0.06 -0.06 0.06 -0.06 0.2"}
+PAIR = (
+    named_bearing(clearance="-4.0e-6", **SPACE)
+    + """create_bearing b speed 50 0
+create_bearing b speed 50 0 centre 0 0 0.1
+region low block INF INF INF INF INF 0.05 units box
+group low region low
+group high subtract all low
+fix rails cage bearing/cage b
+group first id 19
+group second id 39
+fix first first bearing/ring mass 0.2 x free y free spin speed 50 force 0 -2000 0
+fix second second bearing/ring mass 0.2 x free y free spin speed 50 force 0 -2000 0
+{fixes}
+timestep 1.0e-6
+run 300
+"""
+)
+
+
+def ends(tmp_path, name, fixes, host="liggghts"):
+    """Return the final state of both bearings."""
+    out = tmp_path / name
+    deck = PAIR.format(fixes=fixes) + END.format(out)
+    text = succeed(deck_file(tmp_path, deck), host=host).text
+    assert "integrated more than once" not in text
+    return np.loadtxt(out, skiprows=9)
+
+
+@pytest.mark.parametrize("host", HOSTS)
+def test_a_fix_moves_the_balls_of_its_group_only(tmp_path, host):
+    """`fix bearing/verlet` per bearing, or on one of them only; also after another fix of this
+    ID."""
+    low, high = (f"fix {name} {name} bearing/{{}}" for name in ("low", "high"))
+    verlet = ends(tmp_path, "all", "fix move all bearing/verlet", host)
+    implicit = ends(tmp_path, "implicit", "fix move all bearing/implicit", host)
+    each = "\n".join((low, high)).format("verlet", "verlet")
+    assert (ends(tmp_path, "each", each, host) == verlet).all()
+    again = f"fix low all bearing/verlet\nunfix low\n{each}"
+    assert (ends(tmp_path, "again", again, host) == verlet).all()
+    mixed = "\n".join((low, high)).format("implicit", "verlet")
+    found = ends(tmp_path, "mixed", mixed, host)
+    assert (found[:20] == implicit[:20]).all() and (found[20:, 4:] != implicit[20:, 4:]).any()
