@@ -96,6 +96,11 @@ class FixBearingState : public Fix {
   // Returns true if bearings have been created about another axis than that of the pair style.
   bool has_another_axis() const;
   void forget_contacts();
+  // Causes the next run to begin with the forces of its set-up instead of those of the last step.
+  void forget_forces()
+  {
+    for (PerAtom &p : per_atom_) p.saved = false;
+  }
   // Stops with an error if atoms have other numbers than in the last run, because contacts, pockets
   // and columns of output are stored by number.
   void check_numbers() const;

@@ -247,6 +247,8 @@ void RunBearing::settle()
 void RunBearing::begin_at_step_0(double time)
 {
   execute("reset_timestep 0");
+  // with velocity Verlet, the forces of the last settling step belong to a step of another length
+  PairBearingHertz::find(lmp, command_name)->state()->forget_forces();
   bearing::SimulatedTime::set(*update, time);
 }
 
