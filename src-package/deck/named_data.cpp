@@ -53,6 +53,9 @@ NamedData read_data(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, const std::st
     if (!all.count(one)) continue;
     if (const auto value = host_variable(lmp, one)) data.values[one] = *value;
   }
+  // data that are not needed may be used nevertheless, for example the bore by starvation
+  for (const DeckVariable &v : deck_variables())
+    if (v.of_data() && data.values.count(v.name)) check_datum(args, data, v);
   return data;
 }
 

@@ -11,7 +11,7 @@ namespace bearing {
 
 // Layout of the package's data in restart files. The number must be increased whenever the data
 // written by any class change. Files written by builds before layout 2 contain no number.
-constexpr int RESTART_LAYOUT = 8;
+constexpr int RESTART_LAYOUT = 9;
 
 constexpr const char *CUT_OR_DAMAGED = "the restart file ends early or is damaged";
 

@@ -91,6 +91,13 @@ void FixBearingCage::init()
   MPI_Allreduce(MPI_IN_PLACE, &radius, 1, MPI_DOUBLE, MPI_MAX, world);
   if (radius == 0.0 && !expected()) return;
   if (radius == 0.0) BRG_ALL(bearing::name_of(*this) + ": its group has no cage balls");
+  for (const FixBearingCage *other : bearing::fixes_of<FixBearingCage>(lmp)) {
+    if (other == this) break;    // only the later of two such fixes reports the error
+    for (int i = 0; i < atom->nlocal; ++i)
+      if (holds(i) && other->holds(i))
+        BRG_ONE(bearing::name_of(*this) + " and " + bearing::name_of(*other) +
+                " both hold cage ball " + std::to_string(atom->tag[i]));
+  }
   pitch_ = pair_->coefficients().pitch_radius(ring_type_);
   if (seats_)
     cage_.rails = {seat_rail(pitch_, radius, tube_, gap_, 1.0),

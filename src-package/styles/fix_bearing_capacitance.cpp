@@ -167,6 +167,12 @@ void FixBearingCapacitance::init()
     BRG_ALL(bearing::name_of(*this) + ": 'permittivity EPS' is missing");
   planned_ = -1;
   filled_ = -1;
+  const std::vector<int> there = ball_types();
+  int balls = 0;
+  for (int type = 1; type <= atom->ntypes; ++type)
+    balls += there[type] && pair_->coefficients().is_ball(type);
+  if (balls == 0)
+    BRG_ALL(bearing::name_of(*this) + ": group " + group->names[igroup] + " has no balls");
   pair_->add_capacitor(groupbit, model_);
   if (model_.surrounded()) check_shoulders();
   const std::vector<int> there = ball_types();
@@ -180,7 +186,7 @@ void FixBearingCapacitance::init()
   }
 }
 
-// Returns the atom types of the balls of the group, which are the same on all ranks.
+// Returns the atom types in the group, which are the same on all ranks.
 std::vector<int> FixBearingCapacitance::ball_types() const
 {
   std::vector<int> there(atom->ntypes + 1, 0);

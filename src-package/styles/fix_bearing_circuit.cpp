@@ -200,6 +200,7 @@ void FixBearingCircuit::sample()
   if (!begun_) {
     if (now.empty())
       BRG_ALL(bearing::name_of(*this) + ": group " + group->names[igroup] + " has no balls");
+    check_group();
     first_step_ = update->ntimestep;
     dt_ = update->dt;
     last_time_ = 0.0;

@@ -64,6 +64,7 @@ class FixBearingCircuit : public Fix {
 
   void find_integrators();
   std::vector<BallFilms> find_balls();
+  void check_group() const;
   std::vector<BallFilms> balls_at(int instant);
   std::vector<BallFilms> balls_of(const std::vector<bearing::tag_t> &tags,
                                   std::vector<Row> mine) const;

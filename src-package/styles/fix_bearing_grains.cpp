@@ -250,7 +250,7 @@ int FixBearingGrains::maxsize_restart() { return 3 + numbers_kept * most_contact
 // command.
 template <class List> void FixBearingGrains::keep_shafts(List &list)
 {
-  list(known_step_);
+  list(known_);
   for (Shaft &s : shafts_) list(s.now, s.force, s.moment);
 }
 

@@ -128,8 +128,8 @@ class FixBearingGrains : public Fix, public bearing::ColumnList {
   std::vector<Neighbour> neighbours_;
   std::vector<Push> pushes_;
   int build_ = -1;
-  double known_step_ = -1.0;    // step for which the contacts are valid
-  double work_ = 0.0;           // J, work done by the walls on the grains
+  bool known_ = false;    // true if the contacts are those of the last step
+  double work_ = 0.0;     // J, work done by the walls on the grains
   Sums start_, now_;
   bigint summed_ = -1;
 };

@@ -154,7 +154,7 @@ void FixBearingGrains::act(bool advance)
     if (atom->mask[i] & groupbit) order.push_back(i);
   std::sort(order.begin(), order.end(),
             [this](int a, int b) { return atom->tag[a] < atom->tag[b]; });
-  const bool keep = advance || known_step_ != static_cast<double>(update->ntimestep);
+  const bool keep = advance || !known_;
   for (const int i : order) {
     std::vector<Contact> list;
     double lost = 0.0;
@@ -193,12 +193,13 @@ void FixBearingGrains::load_shafts()
 
 void FixBearingGrains::setup(int)
 {
-  if (known_step_ != static_cast<double>(update->ntimestep))
+  known_ = known_ && pair_->state()->time_continues();
+  if (!known_)
     for (Shaft &s : shafts_) s.now = s.fix->pose();
   for (Grain &g : grains_) g.lost = 0.0;
   work_ = 0.0;
   act(false);
-  known_step_ = static_cast<double>(update->ntimestep);
+  known_ = true;
   start_ = sums();
   summed_ = -1;
 }
@@ -206,5 +207,5 @@ void FixBearingGrains::setup(int)
 void FixBearingGrains::post_force(int)
 {
   act(true);
-  known_step_ = static_cast<double>(update->ntimestep);
+  known_ = true;
 }

@@ -6,6 +6,7 @@
 #include "fix_bearing_ring.h"
 #include "fix_bearing_state.h"
 #include "fixes.h"
+#include "own_group.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 using namespace LAMMPS_NS;
 using bearing::Arguments;
 using bearing::name_of;
+using bearing::own_group;
 using bearing::text;
 using raceway::BallPitShape;
 using raceway::BallShape;
@@ -48,11 +50,14 @@ FixBearingProfile::FixBearingProfile(LAMMPS *lmp, int narg, char **arg) : Fix(lm
   settings_ = bearing::ProfileSettings::read(args, FixBearingState::max_grooves, said);
   for (const std::string &word : said) said_ += (said_.empty() ? "" : " ") + quoted(word);
   if (settings_.flawed.empty()) return;
-  std::string group_of = std::string(id) + "_BALLS", line = "group " + group_of + " id";
+  const std::string group_of = std::string(id) + "_BALLS";
+  std::string line = "group " + group_of + " id";
   for (const std::string &ball : settings_.flawed) line += " " + ball;
+  const int flawed = group->bitmask[own_group(lmp, group_of, [](int) { return false; })];
   input->one(line.c_str());
-  input->one(("group " + group_of + " intersect " + group_of + " " + group->names[igroup]).c_str());
-  igroup = group->find(group_of.c_str());
+  const int both = flawed | groupbit;
+  const auto in_both = [&](int i) { return (atom->mask[i] & both) == both; };
+  igroup = own_group(lmp, group_of, in_both);
   groupbit = group->bitmask[igroup];
 }
 

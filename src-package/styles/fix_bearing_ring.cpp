@@ -64,22 +64,8 @@ bearing::RingBody FixBearingRing::usual_body() const
   return body;
 }
 
-// Warns of a force along an axis of the bearing along which the ring cannot move, for example
-// because the force was meant for bearings with another axis. Forces below 1 uN are rounding errors
-// of an azimuth.
-void FixBearingRing::warn_if_idle(const std::string &what, const bearing::DrivenValue &force,
-                                  int k) const
-{
-  if (comm->me != 0 || settings_.program.free(k)) return;
-  if (force.is_variable() || std::fabs(force.constant_value()) < 1e-6) return;
-  const std::string along(1, static_cast<char>('x' + axes_.lab_axis(k)));
-  BRG_WARN(bearing::name_of(*this) + ": " + what + " of " + bearing::text(force.constant_value()) +
-           " N along " + along + " has no effect, because " + along + " is not free");
-}
-
 void FixBearingRing::settings_are_read()
 {
-  for (int k = 0; k < 3; ++k) warn_if_idle("force", settings_.value[RingProgram::FORCE + k], k);
   find_rings();
   // a variable may be atom-style, in which case its values travel with the rings
   called_back_ = std::any_of(settings_.value, settings_.value + RingProgram::N_VALUE,
@@ -230,6 +216,7 @@ void FixBearingRing::setup(int vflag)
             ", whose ring holds its ring, need the same integrator");
   find_own_values();
   evaluate(0, RingProgram::N_VALUE);
+  warn_of_idle_loads();
   before_ = now_;
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i)) {
@@ -253,7 +240,10 @@ void FixBearingRing::setup(int vflag)
 // Evaluates the values that are given as numbers or equal-style variables.
 void FixBearingRing::evaluate(int first, int last)
 {
-  for (int k = first; k < last; ++k) now_.of[k] = settings_.value[k].now(lmp);
+  for (int k = first; k < last; ++k) {
+    now_.of[k] = settings_.value[k].now(lmp);
+    if (k >= RingProgram::FORCE) warn_if_idle(k - RingProgram::FORCE, now_.of[k]);
+  }
 }
 
 // Evaluates atom-style variables only once per run, because evaluating them for every atom in every

@@ -12,6 +12,7 @@ FixStyle(bearing/ring,FixBearingRing)
 #include "bearing_compat.h"
 
 #include <map>
+#include <set>
 
 namespace LAMMPS_NS {
 
@@ -109,7 +110,8 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   FixBearingRing(class LAMMPS *, int, char **, Words);    // for derived classes with more settings
   bearing::RingBody usual_body() const;
   void settings_are_read();    // must be called after the settings have been read
-  void warn_if_idle(const std::string &what, const bearing::DrivenValue &force, int k) const;
+  void warn_if_idle(int dof, double load, const std::string &force = "force");
+  void warn_of_idle_loads();
   void find_rings();
   void refuse_another_mover();
   void find_own_values();
@@ -168,7 +170,8 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   std::vector<ContactLoad> contacts_;    // loads on owned rings in the last step, sorted by tag
   std::vector<double> report_;
   bigint reported_ = -1;
-  bool noted_ = true;    // true if the accelerations follow from the forces in atom->f
+  std::set<std::string> idle_;    // loads without effect of which a warning has been printed
+  bool noted_ = true;             // true if the accelerations follow from the forces in atom->f
 };
 
 }    // namespace LAMMPS_NS

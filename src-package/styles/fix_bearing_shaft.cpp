@@ -36,9 +36,6 @@ FixBearingShaft::FixBearingShaft(LAMMPS *lmp, int narg, char **arg) :
     if (u.of.moment > 0.0 && settings_.program.mode[RingProgram::SPIN] != Freedom::speed)
       args.fail("unbalance needs 'spin speed W': the eccentric mass turns with an imposed spin");
   settings_are_read();
-  // a radial load beside the centre also tilts the shaft
-  for (const bearing::ShaftSettings::Load &load : shaft_.loads)
-    warn_if_idle("load", load.force[axes_.along], 2);
 }
 
 void FixBearingShaft::init()
@@ -146,6 +143,7 @@ void FixBearingShaft::evaluate(int first, int last)
     lab.y = load.force[1].now(lmp);
     lab.z = load.force[2].now(lmp);
     const Vec3 force = axes_.third(lab);
+    warn_if_idle(2, force.z, "load");    // a radial load also tilts the shaft
     now_.leverage += force * (load.at - centre());
     if (bending()) load_modes(load.at - centre(), force, Vec3());
     double all[3];

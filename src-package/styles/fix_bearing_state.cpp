@@ -93,10 +93,9 @@ void FixBearingState::setup(int)
 {
   bearing::require_order(lmp, *modify->fix[modify->nfix - 1], *this,
                          "it restores the forces of the previous step after every other set-up");
-  int continues = 1;
+  int continues = time_continues();
   for (int i = 0; i < atom->nlocal; ++i)
-    if (!per_atom_[i].saved || per_atom_[i].saved_step != static_cast<double>(update->ntimestep))
-      continues = 0;
+    if (!per_atom_[i].saved) continues = 0;
   MPI_Allreduce(MPI_IN_PLACE, &continues, 1, MPI_INT, MPI_MIN, world);
   for (int i = 0; i < atom->nlocal; ++i) {
     if (continues)
@@ -119,7 +118,6 @@ void FixBearingState::save_forces()
   for (int i = 0; i < atom->nlocal; ++i) {
     PerAtom &p = per_atom_[i];
     p.saved = true;
-    p.saved_step = static_cast<double>(update->ntimestep);
     p.tag = atom->tag[i];
     for (int k = 0; k < 3; ++k) {
       p.force[k] = atom->f[i][k];
@@ -187,8 +185,8 @@ template <class List> void FixBearingState::keep(List &list, PerAtom &p)
 {
   list(p.n_grooves);
   for (int k = 0; k < max_grooves; ++k) list(p.kept_ring[k], p.kept_groove[k], p.kept[k]);
-  list(p.ring.axis, p.ring.origin, p.ring.angle, p.ring.tilt, p.ring.step, p.turn, p.saved,
-       p.saved_step, p.force, p.torque, p.tag);
+  list(p.ring.axis, p.ring.origin, p.ring.angle, p.ring.tilt, p.ring.step, p.turn, p.saved, p.force,
+       p.torque, p.tag);
 }
 
 int FixBearingState::pack_exchange(int i, double *buf)

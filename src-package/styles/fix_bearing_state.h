@@ -87,6 +87,8 @@ class FixBearingState : public Fix {
     time_ = of.time;
   }
   void continue_time() const { time_.go_on(*update); }
+  // Returns true if this run begins at the time at which the last one ended.
+  bool time_continues() const { return time_.goes_on(*update); }
   // Called by the pair style when it takes over the state, and by its destructor. A pair style that
   // replaces another one takes over the motion of the bodies; its contacts start anew.
   void serve(bearing::PairHooks &pair) { pair_ = &pair; }
@@ -94,6 +96,11 @@ class FixBearingState : public Fix {
   // Returns true if bearings have been created about another axis than that of the pair style.
   bool has_another_axis() const;
   void forget_contacts();
+  // Causes the next run to begin with the forces of its set-up instead of those of the last step.
+  void forget_forces()
+  {
+    for (PerAtom &p : per_atom_) p.saved = false;
+  }
   // Stops with an error if atoms have other numbers than in the last run, because contacts, pockets
   // and columns of output are stored by number.
   void check_numbers() const;
@@ -131,15 +138,14 @@ class FixBearingState : public Fix {
     double kept[max_grooves][room] = {};
     RingMotion ring;
     raceway::Quaternion turn;
-    bool saved = false;    // true if force and torque are those of saved_step
-    double saved_step = -1.0;
+    bool saved = false;    // true if force and torque are those at the end of the last run
     double force[3] = {}, torque[3] = {};
     bearing::tag_t tag = 0;    // number of the atom at the end of the last run; 0: it is new
     int owner = 0;             // rank that owns the atom if it is a ghost
   };
 
  private:
-  static constexpr int packed_size = 2 + (2 + room) * max_grooves + 10 + 4 + 9;
+  static constexpr int packed_size = 2 + (2 + room) * max_grooves + 10 + 4 + 8;
 
   template <class List> static void keep(List &, PerAtom &);
   void save_forces();

@@ -3,6 +3,7 @@
 
 #include "../core/settings/arguments.h"
 #include "fixes.h"
+#include "own_group.h"
 #include "pair_bearing_hertz.h"
 
 using namespace LAMMPS_NS;
@@ -21,15 +22,13 @@ FixBearingVerlet::FixBearingVerlet(LAMMPS *lmp, int narg, char **arg) : Fix(lmp,
 void FixBearingVerlet::BRG_AFTER_CREATION()
 {
   const PairBearingHertz &pair = *PairBearingHertz::find(lmp, bearing::name_of(*this));
-  std::string types;
-  for (int t = 1; t <= atom->ntypes; ++t)
-    if (pair.coefficients().is_named(t) && !pair.coefficients().is_ring(t))
-      types += " " + std::to_string(t);
-  for (const std::string &line :
-       {"group " + name() + " type" + types,
-        "group " + name() + " intersect " + name() + " " + group->names[igroup],
-        "fix " + name() + " " + name() + " nve/sphere"})
-    input->one(line.c_str());
+  const auto is_body = [&](int i) {
+    const int type = atom->type[i];
+    return (atom->mask[i] & groupbit) && pair.coefficients().is_named(type) &&
+           !pair.coefficients().is_ring(type);
+  };
+  bearing::own_group(lmp, name(), is_body);
+  input->one(("fix " + name() + " " + name() + " nve/sphere").c_str());
 }
 
 FixBearingVerlet::~FixBearingVerlet()

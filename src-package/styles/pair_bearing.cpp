@@ -5,6 +5,7 @@
 #include "../core/settings/deck_variable_table.h"
 #include "../core/settings/written.h"
 #include "derive_data.h"
+#include "fix_bearing_heat.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "named_bearing.h"
@@ -235,6 +236,13 @@ void PairBearing::cool()
   for (Coeff &c : coeffs_) {
     if (!c.warm) continue;
     c.warm = false;
+    const NamedBearing *b = bearing::find_bearing(lmp, c.bearing);
+    const std::vector<FixBearingHeat *> heats = bearing::fixes_of<FixBearingHeat>(lmp);
+    const auto heated = [b](const FixBearingHeat *f) { return b && f->may_cover_type(b->balls); };
+    if (comm->me == 0 && std::none_of(heats.begin(), heats.end(), heated))
+      BRG_WARN("pair_style bearing: fix bearing/heat of bearing " + c.bearing +
+               " is gone: the oil has its temperature of " + text(c.temperature) +
+               " C again, and the parts have the dimensions of cold parts");
     c.data = read_oil(Arguments(lmp, "pair_coeff * * " + c.bearing, {}), c.oil, c.temperature);
     resolve(c);
   }

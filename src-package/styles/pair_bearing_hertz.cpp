@@ -7,6 +7,7 @@
 #include "../core/settings/arguments.h"
 #include "../core/settings/written.h"
 #include "citation.h"
+#include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "simulated_time.h"
 
@@ -132,10 +133,27 @@ void PairBearingHertz::init_style()
   check_ghosts();
   check_types(sizes.count);
   check_rails();
+  if (update->nsteps > 0) movers_.look(lmp, coefficients_, implicit_bits_);
   profiles_.clear();    // these are set again by the fixes bearing/profile
   atoms_ = count_atoms();
   put_state_last();
+  hold_rings();
   rebuild_ = true;
+}
+
+// A ring that no fix moves keeps its position and its axis, so it has no velocity but its spin,
+// whatever another command or a fix of the last run has left.
+void PairBearingHertz::hold_rings()
+{
+  const std::vector<FixBearingRing *> fixes = bearing::fixes_of<FixBearingRing>(lmp);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!coefficients_.is_ring(atom->type[i]) ||
+        std::any_of(fixes.begin(), fixes.end(), [i](FixBearingRing *f) { return f->moves(i); }))
+      continue;
+    Vec3().to(atom->v[i]);
+    const Vec3 e = state_->axis(i), w = Vec3::from(atom->omega[i]), spin = e * dot(w, e);
+    if (norm(w - spin) > 1e-12 * norm(w)) spin.to(atom->omega[i]);
+  }
 }
 
 // The state fix must be the last fix, because it restores the forces of the previous step after the

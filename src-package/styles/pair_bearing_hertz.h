@@ -9,6 +9,7 @@ PairStyle(bearing/hertz,PairBearingHertz)
 #define LMP_PAIR_BEARING_HERTZ_H
 
 #include "../contacts/law_follower.h"
+#include "../contacts/mover_check.h"
 #include "../contacts/surface_profiles.h"
 #include "../contacts/validity_check.h"
 #include "../core/settings/pair_coefficients.h"
@@ -108,6 +109,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   void check_ghosts();
   void check_types(const std::vector<int> &count);
   void check_rails();
+  void hold_rings();
   bigint count_atoms() const;
   void check_atoms() const;
   void rebuild_contacts();
@@ -127,8 +129,9 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   std::set<std::pair<int, int>> cage_types_;    // types of created bearings, smaller type first
   std::vector<bearing::LawFollower *> followers_;
   std::set<int> silent_types_;    // types without pair_coeff for which a warning was printed
-  bigint without_rails_ = 0;      // number of cage balls without rails
-  int implicit_bits_ = 0;         // groups of the fixes that advance contact states themselves
+  bearing::MoverCheck movers_;
+  bigint without_rails_ = 0;    // number of cage balls without rails
+  int implicit_bits_ = 0;       // groups of the fixes that advance contact states themselves
   bearing::ContactTable table_;
   std::vector<std::pair<int, int>> grains_;
   bearing::ContactEvaluator evaluator_;

@@ -6,7 +6,7 @@ import re
 import signal
 
 import pytest
-from host import ROOT, deck_file, start, succeed, wait_for_file
+from host import ROOT, deck_file, named_bearing, start, succeed, wait_for_file
 from recorded_runs import differ
 
 POINT = dict(lubricant="vg46", rpm=1910, heat="yes", warm_time=60, passes=1, seat=3,
@@ -66,3 +66,34 @@ def test_off_is_free(tmp_path):
         succeed(path, out=tmp_path / name, **words)
     assert differing(tmp_path / "off", tmp_path / "none") == []
     assert jumps(tmp_path / "off") == ""
+
+
+@pytest.mark.parametrize("again, times", [("", 1), (None, 0), ("fix heat all bearing/heat", 0)])
+def test_a_fix_that_is_deleted_takes_its_temperatures_along(tmp_path, again, times):
+    """The oil of the pair style at its temperature and the cold parts are back, as the run says."""
+    end = "" if again is None else f"unfix heat\n{again}\n"
+    deck = (
+        named_bearing(clearance="-4.0e-6", neighbor="2.0e-3 bin", every=1)
+        + f"""
+create_bearing b speed 50 0
+fix rails cage bearing/cage b
+fix inner inner bearing/ring spin speed 50
+fix move all bearing/implicit
+compute films balls bearing/ball inner_h_min
+compute film balls reduce min c_films
+thermo_style custom step c_film
+timestep 2.0e-5
+run 20
+fix heat all bearing/heat ambient 20
+run 20
+{end}run 20
+run 20
+"""
+    )
+    found = succeed(deck_file(tmp_path, deck)).text
+    said = "WARNING: pair_style bearing: fix bearing/heat of bearing b is gone: the oil has its"
+    assert found.count(said) == times
+    rows = re.findall(r"^ +(\d+) +(\S+) *$", found, re.M)
+    film = {int(a): float(b) for a, b in reversed(rows)}  # at the end of each run
+    assert film[40] > 2 * film[20]
+    assert (film[80] < 1.1 * film[20]) == bool(times)

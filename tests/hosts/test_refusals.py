@@ -3,7 +3,7 @@
 the fix; all other fixes are allowed."""
 
 import pytest
-from host import BOX, deck_file, refuses, run, succeed
+from host import BOX, deck_file, named_bearing, refuses, run, succeed
 
 BEARING = (
     BOX
@@ -165,3 +165,30 @@ def test_respa(tmp_path, host):
     """Nothing would move, since fixes have other functions for the levels of respa."""
     deck = deck_file(tmp_path, BEARING + "run_style respa 2 2\nrun 10\n")
     refuses(deck, "needs 'run_style verlet'", host=host)
+
+
+@pytest.mark.parametrize(
+    "more, message",
+    [
+        (
+            "fix more cage bearing/cage b",
+            "fix more bearing/cage and fix rails bearing/cage both hold cage ball 10",
+        ),
+        ("fix cap inner bearing/capacitance 1", "fix cap bearing/capacitance: group inner has no"),
+    ],
+)
+def test_groups_that_cannot_be_meant(tmp_path, more, message):
+    """Twice the force of the rails, and a capacitance of nothing."""
+    deck = (
+        named_bearing(neighbor="2.0e-3 bin")
+        + """
+create_bearing b speed 50 0
+fix rails cage bearing/cage b
+fix move all bearing/implicit
+{}
+timestep 1.0e-5
+run 1
+"""
+    )
+    succeed(deck_file(tmp_path, deck.format("")))
+    refuses(deck_file(tmp_path, deck.format(more)), message, ranks=2)

@@ -57,9 +57,9 @@ def end(tmp_path, host, *parts):
 def test_time_goes_on(host, tmp_path):
     begin = BOX + BEARING + MOVES + RUN
     whole = end(tmp_path, host, begin, RUN)
+    near = {"rtol": 1e-12, "atol": 1e-16}  # the time is rounded where the step number is reset
     assert whole[0] == pytest.approx(1000 * STEP, rel=1e-12)
     assert whole[4] == pytest.approx(50 * (1 + 100 * whole[0]), rel=1e-9)
-    near = {"rtol": 1e-9, "atol": 1e-10}  # forces are recomputed when the step number is reset
     for seam in ("reset_timestep 0\n", "reset_timestep 40000\n"):
         np.testing.assert_allclose(end(tmp_path, host, begin, seam, RUN), whole, **near)
     end(tmp_path, host, begin, f"write_restart {tmp_path}/kept\n")
@@ -67,6 +67,16 @@ def test_time_goes_on(host, tmp_path):
     np.testing.assert_array_equal(end(tmp_path, host, read, MOVES, RUN), whole)
     found = end(tmp_path, host, read, MOVES, "reset_timestep 0\n", RUN)
     np.testing.assert_allclose(found, whole, **near)
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
+def test_step_numbers_do_not_change_the_motion(host, tmp_path):
+    """Forces of the last step are restored after reset_timestep, too."""
+    moves = MOVES.replace("50*(1+100*time)", "50").replace("5.0e-6*sin(4000*time)", "0")
+    begin = BOX + BEARING + moves + RUN
+    whole = end(tmp_path, host, begin, RUN)
+    found = end(tmp_path, host, begin, "reset_timestep 7\n", RUN)
+    np.testing.assert_array_equal(found[1:], whole[1:])
 
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
@@ -84,6 +94,26 @@ def test_a_restart_within_a_run_keeps_the_bits_of_the_time(again, host, tmp_path
         done = succeed(deck_file(tmp_path, text + tell), host=host)
         times.append(re.search(r"^END (.*)$", done.text, re.M)[1])
     assert times[0] == times[1]
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
+def test_several_runs_keep_the_bits_of_the_time(host, tmp_path):
+    """The hosts add up the durations of runs, so the time after several runs may differ from that
+    after a single run in its last bit."""
+    tell = "variable after equal 1.0e20*(time-9.04e-4)\nrun 0\nprint 'END $(v_after)'\n"
+    times = set()
+    begin = BOX + BEARING + MOVES
+    read = READ.format(tmp_path / "kept")
+    for text in (
+        f"{begin}run 904\n",
+        f"{begin}run 500\nrun 404\n",
+        f"{begin}run 500\ntimestep 1.0e-6\nwrite_restart {tmp_path}/kept\nrun 404\n",
+        f"{read}{MOVES}run 404\n",
+        f"{read}{PAIR}{MOVES}run 100\nrun 304\n",
+    ):
+        done = succeed(deck_file(tmp_path, text + tell), host=host)
+        times.add(re.search(r"^END (.*)$", done.text, re.M)[1])
+    assert len(times) == 1
 
 
 @pytest.mark.parametrize("mode, size", [("x", 4e-5), ("ry", 1e-3)])

@@ -96,3 +96,23 @@ def test_default(tmp_path, scene):
     for folder, words in (("short", own), ("whole", defaults | given)):
         succeed("inputs/in.6208", **words | {"out": tmp_path / folder})
     assert differ(tmp_path / "short", tmp_path / "whole") == []
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "value"),
+    [
+        ("bearing", "bore_diameter", "40"),  # mm instead of m
+        ("bearing", "bore_diameter", "5mm"),
+        ("bearing", "outside_diameter", "80"),
+        ("bearing", "bearing_width", "-18e-3"),
+        ("lubricant", "oil_density_40", "0.8629"),  # g/cm3 instead of kg/m3
+    ],
+)
+def test_data_that_are_not_needed_are_checked(tmp_path, kind, name, value):
+    """The bore and the outside diameter enter the starvation of a contact."""
+    source = "bearings/6208" if kind == "bearing" else "lubricants/vg46"
+    file = tmp_path / "mine"
+    text = (ROOT / "inputs" / source).read_text()
+    file.write_text(re.sub(rf"^(variable {name} +index) \S+", rf"\1 {value}", text, flags=re.M))
+    says = (f"'{file}': {name}", "must be ")
+    refuses("inputs/in.6208", *says, out=tmp_path / "run", **{kind: file})

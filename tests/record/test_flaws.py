@@ -56,3 +56,17 @@ def test_flaws_of_a_record_stay(tmp_path):
     assert done.code != 0
     assert "flaws of its raceways were '10 notch" in done.error
     assert "and are now '10 notch" in done.error
+
+
+PIT = "bearing/profile flaw_ball pit 0 0 1.0e-3 1.0e-3 1.0e-5 5.0e-5 flawed_ball"
+
+
+def test_flawed_balls_are_those_of_the_last_command(tmp_path):
+    """A fix with the ID of an earlier one has its own balls, and only those of its group."""
+    for before in ("", f"fix pit balls {PIT} 1 3\nunfix pit\n"):
+        fix = f"group some id 2 3 4 5\n{before}fix pit some {PIT} 4 2 7\n"
+        folder = tmp_path / str(len(before))
+        folder.mkdir()
+        succeed(small(folder, deck=SHORT.replace("fix inner", fix + "fix inner")))
+        said = raceway.open(folder / "run").settings["flaws"].split("; ")
+        assert [words.split()[0] for words in said] == ["2", "4"]

@@ -264,6 +264,9 @@ def test_which_capacitance_and_which_balls(tmp_path):
     few += "fix two balls bearing/circuit 1 less floating 1\n"
     end = run_with(tmp_path / "c", "floating 1", few, samples=2)
     assert "fix two bearing/circuit: ball 3 is not in the group of fix less" in end.error
+    part = "group few id 1 2\nfix two few bearing/circuit 1 cap floating 1\n"
+    end = run_with(tmp_path / "d", "floating 1", part, samples=2)
+    assert "fix two bearing/circuit: group few has only some of the balls of ring" in end.error
 
 
 def test_instants_need_every_step_and_who_knows_them(tmp_path):

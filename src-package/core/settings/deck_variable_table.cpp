@@ -225,6 +225,8 @@ const std::vector<DeckVariable> &deck_variables()
        "diameter"},
       {"bore_diameter", "", "m", "1.0e-4 20", "usual data", "bore of the inner ring"},
       {"bearing_width", "", "m", "1.0e-4 3", "usual data", "width of the rings"},
+      {"outside_diameter", "", "m", "1.0e-4 40", "catalogue data",
+       "outside diameter of the outer ring"},
       // Oils. The defaults are those of mineral oils. The effects were determined for a 6208 with
       // vg46 at 70 C, under loads of 1 to 5 kN at 100 to 6000 rpm.
       {"oil_conductivity", "0.14", "W/(m K)", "1.0e-3 100", "oil constant",
@@ -241,6 +243,7 @@ const std::vector<DeckVariable> &deck_variables()
       {"limiting_traction", "0.047", "", "1.0e-4 1", "oil constant",
        "ratio of limiting shear stress to pressure for models eyring; no effect below that limit",
        "eyring file"},
+      {"oil_density_40", "", "kg/m^3", "300 3000", "oil over temperature", "density at 40 C"},
       {"oil_density_slope", "0.6", "kg/(m^3 K)", "0 10", "oil over temperature",
        "decrease of density per K; an increase by 20 % makes the film 0.3 % thinner at 70 C"},
       {"pressure_viscosity_40", "22.5e-9", "1/Pa", "1.0e-10 1.0e-6", "oil over temperature",
@@ -301,8 +304,8 @@ bool DeckVariable::needed_by(const std::string &kind) const
 
 bool DeckVariable::of_data() const
 {
-  for (const char *kind :
-       {"bearing data", "usual data", "oil data", "oil constant", "oil over temperature"})
+  for (const char *kind : {"bearing data", "usual data", "catalogue data", "oil data",
+                           "oil constant", "oil over temperature"})
     if (taken_by(kind)) return true;
   return false;
 }

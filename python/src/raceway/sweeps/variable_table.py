@@ -8,7 +8,7 @@ from typing import Any
 from raceway import core
 
 OIL = ("oil constant", "oil over temperature", "oil data")
-DATA = {"bearing data", "usual data", *OIL}
+DATA = {"bearing data", "usual data", "catalogue data", *OIL}
 
 
 def rows() -> list[dict[str, Any]]:
