@@ -9,7 +9,7 @@ import pytest
 import raceway
 import synthetic
 from commands import answer, reply
-from raceway import envelope, inputs, passages, recording, shaft_speed, spectrum
+from raceway import envelope, inputs, kinematics, passages, recording, shaft_speed, spectrum
 from raceway.cli import main
 from raceway.datasets import make
 from raceway.errors import RunError
@@ -333,6 +333,21 @@ def test_angle_of_a_four_point_contact_bearing(tmp_path, capsys):
     for more in ([], ["--angle", "35"]):
         said.append([one["order"] for one in answer(capsys, [*words, *more])["lines"]])
     assert said[0] == pytest.approx(said[1], rel=1e-12)
+
+
+@pytest.mark.parametrize("flaw", ["BPFO", "BPFI"])
+@pytest.mark.parametrize("degrees", [0, 4, 8, 10, 12, 14])
+def test_a_flaw_of_one_raceway_shows_one_line(tmp_path, bearing, flaw, degrees):
+    """With a contact angle, a harmonic of one raceway lies where one of the other raceway would be
+    without it (a 6205 has 3 BPFO = 2 BPFI at 10.5 degrees)."""
+    rolling = kinematics.frequencies(bearing, np.radians(degrees))
+    order = {"BPFO": rolling.outer, "BPFI": rolling.inner}[flaw]
+    np.savez(tmp_path / "one.npz", signal=struck(order=order))
+    one = recording.Recording(tmp_path / "one.npz", bearing, rpm=60 * SHAFT, rate=RATE)
+    found = orders.of_recording(one)
+    assert list(found) == [flaw]
+    assert found[flaw].harmonics == 3
+    assert abs(found[flaw].value - order) < 2 * found[flaw].uncertainty
 
 
 def test_no_speed_from_what_is_no_shaft(bearing):
