@@ -255,6 +255,15 @@ def test_several_columns_of_times(tmp_path, bearing):
     assert 1 / found.signal().sample_s == pytest.approx(RATE, rel=1e-9)
 
 
+@pytest.mark.parametrize("name, unit_s", [("t", 1), ("time_ms", 1e-3)])
+def test_times_in_an_npz_file(tmp_path, bearing, name, unit_s):
+    rows = np.arange(400)
+    np.savez(tmp_path / "a.npz", **{name: rows / RATE / unit_s, "a": np.cos(rows)})
+    found = recording.Recording(tmp_path / "a.npz", bearing, rpm=1800)
+    assert list(found.channels) == ["a"]
+    assert 1 / found.signal().sample_s == pytest.approx(RATE, rel=1e-9)
+
+
 @pytest.mark.parametrize("name", ["y_g", "y (g)", "y [g]", "y[ g ]", "y/g"])
 def test_units_in_a_heading(tmp_path, bearing, name):
     columns_of = {name: GRAVITY, "z [m/s^2]": 1.0, "w (m/s²)": 1.0, "v_m_s2": 1.0}

@@ -56,7 +56,7 @@ def read_csv(path: Path) -> Contents:
             break
         own = _rate(path, names[0], table[names[0]].to_numpy())
         if told and math.isnan(rate):
-            rate = own / SECONDS.get((told[1] or "s").lower(), 1.0)
+            rate = own
         names = names[1:]
     if not names:
         raise RunError(f"{path} has a column of times but no signal")
@@ -146,6 +146,7 @@ def _commas(text):
 
 
 def _rate(path, name, time):
+    """Return the rate in Hz of the times in a column, in the unit of its `name`."""
     step = _steps(time)
     if not len(step):
         raise RunError(f"{path}: its times in {name} are not numbers")
@@ -161,7 +162,8 @@ def _rate(path, name, time):
     away = np.ptp(time - np.linspace(time[0], time[-1], len(time)))
     if away > max(ROUNDED * step[at], STRAIGHT * step.sum()):
         raise RunError(uneven)
-    return 1 / step.mean()
+    told = TIME.fullmatch(name)
+    return 1 / step.mean() / SECONDS.get((told and told[1] or "s").lower(), 1.0)
 
 
 def _even(step):
@@ -200,7 +202,8 @@ def read_wav(path: Path) -> Contents:
 
 
 def read_npz(path: Path) -> Contents:
-    """Return the `Contents` of an NPZ file with one channel for each array.
+    """Return the `Contents` of an NPZ file with one channel for each array except times, which have
+    a name as in `read_csv`.
 
     CWRU files contain DE, FE and BA in g, and their names state speed and rate. Raise `RunError` if
     the file cannot be read.
@@ -211,6 +214,8 @@ def read_npz(path: Path) -> Contents:
     told = NPZ.fullmatch(path.name)
     cwru = {"DE", "FE", "BA"} >= set(data) and bool(data)
     rate = NPZ_RATE.get(told[2], math.nan) if told else math.nan
+    for name in [name for name in data if TIME.fullmatch(name) and data[name].ndim == 1]:
+        rate = _rate(path, name, data.pop(name))
     words = {"scale": GRAVITY, "units": "m/s^2", "meaning": "acceleration"} if cwru else {}
     found = {
         name: channel(path, name, values, rate, **words)
