@@ -55,6 +55,9 @@ def write(tmp_path, text=GOOD):
         ("BPFO: 3.5972, within: 2e-4", "file: none.mat, nominal: 1800", "rpm, the true speed, or"),
         ("BPFO: 3.5972, within: 2e-4", "file: [none.mat]", "file must be one name"),
         ("BPFO: 3.5972", "capacitance: 25", "capacitance is 25, must be from 0 to 1e-06"),
+        ("BPFO: 3.5972", "BPFO: 107.7", "reading 1: BPFO = 107.7 orders matches no contact angle"),
+        ("BPFO: 3.5972", "BPFI: 3.5972", "BPFI = 3.5972 orders matches no contact angle"),
+        ("BPFO: 3.5972", "BSF: 4.714", "BSF = 4.714 orders matches no contact angle"),
     ],
 )
 def test_mistakes(tmp_path, old, new, says):
@@ -145,6 +148,7 @@ def lines(tmp_path, text):
         ("speed_Hz,bpfo_Hz,ftf_Hz\n30,107", {}, "line 2: 2 cells, must be 3"),
         ("speed_Hz,bpfo_Hz,bpfo_Hz\n30,107,108", {}, "column bpfo_Hz occurs 2 times"),
         ("speed_Hz,bpfo_Hz\n", {}, "has no rows"),
+        ("speed_Hz,bpfo_Hz\n1797,107", {}, "lines.csv: reading 1: BPFO = .* no contact angle"),
         ("", {}, "has no rows"),
         ("speed_Hz,bpfo_Hz,load_N\n30,107,\n30,107,5", {}, "load_N nan must lie between 0 and"),
         ("speed_Hz,bpfo_Hz,load_N\n30,107,5", {"load": 1.0}, "leave out the load 1"),

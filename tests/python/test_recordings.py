@@ -9,7 +9,7 @@ import pytest
 import raceway
 import synthetic
 from commands import answer, reply
-from raceway import envelope, inputs, passages, recording, shaft_speed, spectrum
+from raceway import envelope, inputs, kinematics, passages, recording, shaft_speed, spectrum
 from raceway.cli import main
 from raceway.datasets import make
 from raceway.errors import RunError
@@ -226,6 +226,72 @@ def test_times_with_a_gap(tmp_path, bearing, digits):
                 recording.Recording(tmp_path / "a.csv", bearing, rpm=1800)
 
 
+def test_times_at_two_rates(tmp_path, bearing):
+    """The mean of two rates is the rate of neither."""
+    time = np.append(np.arange(2000), 2000 + 2 * np.arange(1000)) / RATE
+    np.savetxt(tmp_path / "a.csv", np.column_stack([time, time**2]), "%.9f", ",")
+    (tmp_path / "a.csv").write_text("t,a\n" + (tmp_path / "a.csv").read_text())
+    with pytest.raises(RunError, match="equal steps"):
+        recording.Recording(tmp_path / "a.csv", bearing, rpm=1800)
+
+
+@pytest.mark.parametrize("name", ["Timestamp", "", "row"])
+def test_missing_rows_of_any_count(tmp_path, bearing, name):
+    """A first column that rises throughout counts times or rows whatever its name, so a step in it
+    is a gap, and it is not a channel."""
+    rows = np.delete(np.arange(4000), 70)
+    table = np.column_stack([rows, np.cos(rows)])
+    np.savetxt(tmp_path / "a.csv", table, "%.9g", ",", header=f"{name},a", comments="")
+    with pytest.raises(RunError, match="gap after row 70"):
+        recording.Recording(tmp_path / "a.csv", bearing, rpm=1800, rate=RATE)
+
+
+def test_several_columns_of_times(tmp_path, bearing):
+    rows = np.arange(400)
+    table = np.column_stack([rows, rows / RATE, 1e3 * rows / RATE, np.cos(rows)])
+    np.savetxt(tmp_path / "a.csv", table, delimiter=",", header="n,time_s,ms,a", comments="")
+    found = recording.Recording(tmp_path / "a.csv", bearing, rpm=1800)
+    assert list(found.channels) == ["a"]
+    assert 1 / found.signal().sample_s == pytest.approx(RATE, rel=1e-9)
+
+
+@pytest.mark.parametrize("name, unit_s", [("t", 1), ("time_ms", 1e-3)])
+def test_times_in_an_npz_file(tmp_path, bearing, name, unit_s):
+    rows = np.arange(400)
+    np.savez(tmp_path / "a.npz", **{name: rows / RATE / unit_s, "a": np.cos(rows)})
+    found = recording.Recording(tmp_path / "a.npz", bearing, rpm=1800)
+    assert list(found.channels) == ["a"]
+    assert 1 / found.signal().sample_s == pytest.approx(RATE, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ["y_g", "y (g)", "y [g]", "y[ g ]", "y/g"])
+def test_units_in_a_heading(tmp_path, bearing, name):
+    columns_of = {name: GRAVITY, "z [m/s^2]": 1.0, "w (m/s²)": 1.0, "v_m_s2": 1.0}
+    values = np.cos(np.arange(400.0))
+    table = np.column_stack([values] * len(columns_of))
+    head = ",".join(columns_of)
+    np.savetxt(tmp_path / "a.csv", table, delimiter=",", header=head, comments="", encoding="utf-8")
+    found = recording.Recording(tmp_path / "a.csv", bearing, rpm=1800, rate=RATE)
+    for own, scale in columns_of.items():
+        assert found.signal(own).values == pytest.approx(scale * values, rel=1e-12)
+        assert found.signal(own).attrs == {"units": "m/s^2", "long_name": own[0]}
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
+def test_encodings(tmp_path, bearing, encoding):
+    """Programs on Windows write headings such as µm in encodings other than UTF-8."""
+    text = "time_s;µ\n" + "".join(f"{k / 100:g};{k * k}\n" for k in range(40)).replace(".", ",")
+    (tmp_path / "a.csv").write_bytes(text.encode(encoding))
+    found = recording.Recording(tmp_path / "a.csv", bearing, rpm=1800)
+    assert list(found.channels) == ["µ"] and found.signal().values[5] == 25
+    assert found.signal().sample_s == pytest.approx(0.01)
+
+
+def test_separators_at_the_ends_of_all_lines(tmp_path, bearing):
+    (tmp_path / "a.csv").write_text("t,a,\n" + "".join(f"{k},{k * k},\n" for k in range(40)))
+    assert list(recording.Recording(tmp_path / "a.csv", bearing, rpm=1800).channels) == ["a"]
+
+
 WAV = [("i2", 32767, 0), ("i4", 2**31 - 1, 0), ("u1", 127, 128)]
 
 
@@ -335,6 +401,21 @@ def test_angle_of_a_four_point_contact_bearing(tmp_path, capsys):
     assert said[0] == pytest.approx(said[1], rel=1e-12)
 
 
+@pytest.mark.parametrize("flaw", ["BPFO", "BPFI"])
+@pytest.mark.parametrize("degrees", [0, 4, 8, 10, 12, 14])
+def test_a_flaw_of_one_raceway_shows_one_line(tmp_path, bearing, flaw, degrees):
+    """With a contact angle, a harmonic of one raceway lies where one of the other raceway would be
+    without it (a 6205 has 3 BPFO = 2 BPFI at 10.5 degrees)."""
+    rolling = kinematics.frequencies(bearing, np.radians(degrees))
+    order = {"BPFO": rolling.outer, "BPFI": rolling.inner}[flaw]
+    np.savez(tmp_path / "one.npz", signal=struck(order=order))
+    one = recording.Recording(tmp_path / "one.npz", bearing, rpm=60 * SHAFT, rate=RATE)
+    found = orders.of_recording(one)
+    assert list(found) == [flaw]
+    assert found[flaw].harmonics == 3
+    assert abs(found[flaw].value - order) < 2 * found[flaw].uncertainty
+
+
 def test_no_speed_from_what_is_no_shaft(bearing):
     """Neither mains hum near the second harmonic nor noise is mistaken for the shaft speed."""
     time = np.arange(48000) / RATE
@@ -372,7 +453,7 @@ def test_harmonics_of_the_mains_are_not_the_shaft(hum):
         ("a.wav", lambda path: path.write_text("nothing"), {}, "cannot read"),
         ("a.npz", lambda path: np.savez(path, a=np.ones(64)), {}, "not state its sampling rate"),
         ("a.npz", lambda path: np.savez(path, a=np.ones(64)), {"rate": 1e3}, "speed of the shaft"),
-        ("a.npz", lambda path: np.savez(path, a=[1, np.nan]), {}, "not finite"),
+        ("a.npz", lambda path: np.savez(path, a=[1, np.nan]), {}, "not finite, the first in row 2"),
         (
             "130.mat",
             lambda path: io.savemat(path, {"X130_DE_time": np.ones(64), "X130RPM": [1797, 1796]}),

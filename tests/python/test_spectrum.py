@@ -146,6 +146,13 @@ def test_a_column_a_run_has_not(folder):
         spectrum.of_run(raceway.open(folder), "fq")
 
 
+def test_a_ring_there_is_not(folder):
+    """A misspelt ring is not the outer one."""
+    for name in ("Inner", "outside", ""):
+        with pytest.raises(RunError, match="must be one of inner, outer"):
+            raceway.open(folder).signal("x", name)
+
+
 def test_too_short(folder):
     with pytest.raises(RunError, match="has 20 samples: a spectrum needs 32"):
         spectrum.of_run(raceway.open(folder, slice(0, 20)))

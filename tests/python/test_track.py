@@ -19,7 +19,7 @@ known: {load: 10, axial: 100}
 unknown: {clearance: 0 15e-6, temperature: 20 90}
 series: hours.csv
 within: {BPFO: 1e-4, capacitance: 0.1e-12}
-drift: {clearance: 2e-6, temperature: 25}
+drift: {clearance: 1e-6, temperature: 12}
 """
 ROWS = 12
 
@@ -27,7 +27,8 @@ ROWS = 12
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
     """Write a folder with readings for an oil that warms up while the clearance shrinks, with noise
-    of the stated size and one gap, and return (folder, true state)."""
+    of the stated size, a constant error of the model and one gap, and return (folder, true
+    state)."""
     folder = tmp_path_factory.mktemp("track")
     random = np.random.default_rng(4)
     time = 600.0 * np.arange(ROWS)
@@ -43,8 +44,7 @@ def made(tmp_path_factory):
     for k, (_, rows) in enumerate(given.rows):
         state = dict(given.readings.known, **{name: float(v[k]) for name, v in true.items()})
         for one, own in zip(rows, model.predict(state, rows)):
-            error = np.hypot(one.within, own.error)
-            table.loc[k, one.quantity] = own.value + error * random.normal()
+            table.loc[k, one.quantity] = own.value + own.error + one.within * random.normal()
     table.loc[5, "capacitance"] = np.nan
     table.to_csv(folder / "hours.csv", index=False)
     return folder, true
@@ -74,14 +74,40 @@ def test_a_warming_bearing(folder):
 
 
 @pytest.mark.parametrize(
+    "load, axial, lag",
+    [(10, 60, 0.0), (200, 30, 0.05), (200, 30, 0.3), (200, 30, 0.95)],
+)
+@pytest.mark.parametrize("way", [-2, 2])
+def test_an_error_of_the_model_does_not_average_out(tmp_path, load, axial, lag, way):
+    """A constant error of the cage speed of `way` standard deviations, and a lag of the cage at the
+    fraction `lag` of its range if balls are unloaded, stay in the band after many rows."""
+    (tmp_path / "a.yaml").write_text(
+        "{bearing: 6205, lubricant: vg68, unknown: {clearance: 0 20e-6}, series: a.csv,"
+        f" known: {{load: {load}, axial: {axial}, temperature: 40}}, within: {{BPFO: 1e-4}}}}"
+    )
+    rows = "".join(f"{k},1797,3\n" for k in range(8))
+    (tmp_path / "a.csv").write_text(f"time_s,rpm,BPFO\n{rows}")
+    of, rows, _ = readings.series(tmp_path / "a.yaml")
+    (own,) = Model(of).predict({**of.known, "clearance": 8e-6}, rows[0][1])
+    low, high = own.lag
+    assert (high > low) == (lag > 0)
+    value = own.value * (1 - low - lag * (high - low)) + way * own.error
+    rows = [track.Row(time, [one._replace(value=value)]) for time, (one,) in rows]
+    found = track.track(of, rows, {})
+    width = (found.high - found.low)[:, 0]
+    assert found.low[-1, 0] < 8.01e-6 and found.high[-1, 0] > 7.99e-6
+    assert width[-1] > 0.5 * width[0]
+
+
+@pytest.mark.parametrize(
     "old, new, says",
     [
         ("series: hours.csv", "", "series is missing"),
         ("hours.csv", "other.csv", "cannot read"),
         ("BPFO: 1e-4, ", "", "within: BPFO is missing"),
         ("BPFO", "BPF", "BPF is not one of"),
-        ("clearance: 2e-6", "axial: 2", "drift: axial is not an unknown"),
-        ("clearance: 2e-6", "clearance: -1", "drift: clearance is -1, must be from"),
+        ("clearance: 1e-6", "axial: 2", "drift: axial is not an unknown"),
+        ("clearance: 1e-6", "clearance: -1", "drift: clearance is -1, must be from"),
         ("series: hours.csv", "series: [hours.csv]", "series must be one name"),
         (FILE, "", "the file must be a map"),
         (FILE, "- hours.csv", "the file must be a map"),
@@ -116,7 +142,7 @@ def test_a_linear_reading_is_kalmans():
     random = np.random.default_rng(1)
     mean, root, shows = (random.normal(size=one) for one in (3, (3, 3), (2, 3)))
     covariance, noise, read = root @ root.T, np.array([0.3, 0.7]), random.normal(size=2)
-    found = track.unscented(mean, covariance, lambda x: shows @ x, read, noise)
+    found = track.unscented(mean, covariance, lambda x: x @ shows.T, read, noise)
     gain = covariance @ shows.T @ np.linalg.inv(shows @ covariance @ shows.T + np.diag(noise))
     assert found[0] == pytest.approx(mean + gain @ (read - shows @ mean))
     assert found[1] == pytest.approx(covariance - gain @ shows @ covariance)

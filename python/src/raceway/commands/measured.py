@@ -23,10 +23,10 @@ bearing in the envelope spectrum.
 
 Supported files: .mat from Case Western Reserve University (X..._DE_time), the MFPT society
 (bearing.gs), Paderborn University (structure of X and Y) and `raceway dataset`; .npz with one row
-for each name; .csv from PRONOSTIA (acc_00001.csv), or with columns, the first of which may contain
-times (`time_s`, `Time (ms)`) without gaps, or row numbers, which are ignored; .wav. The .mat files
-from CWRU do not state their sampling rate: give --rate 12000 or 48000. Accelerations in g are
-converted to m/s^2.
+for each name, one of which may contain times; .csv from PRONOSTIA (acc_00001.csv), or with columns,
+the first of which may contain times (`time_s`, `Time (ms)`) without gaps, or row numbers, which are
+ignored; .wav. The .mat files from CWRU do not state their sampling rate: give --rate 12000 or
+48000. Accelerations in g (`a_g`, `a (g)`) are converted to m/s^2.
 
 The nominal speed often differs from the true speed by more than the cage slip. The true speed is
 searched for within 1.5 % of the nominal speed, by means of shaft lines that agree with each other.

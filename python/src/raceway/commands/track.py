@@ -14,6 +14,9 @@ speed, and the readings at that time; empty cells are allowed. The columns are t
 axial, load_more, axial_more, at (temperature of the oil), FTF, BPFO, BPFI, BSF (orders),
 capacitance (F), temperature (C).
 
+The model's error of the cage speed, including the unknown lag of a cage some of whose balls are
+unloaded, counts as the same in all rows, so it does not average out over many rows.
+
 FILE has the format of `raceway identify` with three keys instead of `readings`: `series` is the
 name of the CSV file, `within` the standard deviation of each quantity, and `drift` the standard
 deviation by which each unknown may drift in an hour (default: 0, i.e. constant)."""

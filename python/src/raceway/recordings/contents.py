@@ -60,6 +60,8 @@ def channel(path: FilePath, name: str, values: ArrayLike, rate: float, **words: 
         raise RunError(f"{path}: {name} is not a row of numbers") from None
     if row.size != max(np.shape(values), default=1):
         raise RunError(f"{path}: {name} has the shape {np.shape(values)}, must be one row")
-    if not np.isfinite(row).all():
-        raise RunError(f"{path}: {name} has values that are not finite")
+    if len(wrong := np.flatnonzero(~np.isfinite(row))):
+        raise RunError(
+            f"{path}: {name} has values that are not finite, the first in row {wrong[0] + 1}"
+        )
     return Channel(row, float(rate), words.get("units", ""), words.get("meaning", name))

@@ -56,7 +56,12 @@ def read(
         raise ReadingsError(f"{path} has no line: give one of {', '.join(LINES)}")
     oil = catalogue.find("lubricants", lubricant, inputs_folder)
     known = {name: value for name, value in known.items() if name not in unknown}
-    return Readings(found, oil, models, known, unknown, rows)
+    result = Readings(found, oil, models, known, unknown, rows)
+    try:
+        readings.need_possible(result)
+    except ValueError as error:
+        raise ReadingsError(f"{path}: {error}") from None
+    return result
 
 
 def _table(path):

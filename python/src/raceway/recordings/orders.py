@@ -102,7 +102,8 @@ def _cosine(bearing, name, order):
         raise ValueError(f"line '{name}' is not one of {', '.join(LINES)}")
     if name == "BSF":
         gamma = bearing.ball_radius / bearing.pitch_radius
-        return math.sqrt(max(1 - 2 * gamma * order, 0.0)) / gamma
+        square = 1 - 2 * gamma * order  # negative for an order above that of any angle
+        return math.copysign(math.sqrt(abs(square)), square) / gamma
     return kinematics.cosine_of_cage(bearing, _cage(bearing, name, order))
 
 

@@ -2,6 +2,8 @@
 """Readers for files of plain columns: CSV (including the files of the PRONOSTIA rig, FEMTO), WAV,
 and NPZ as distributed for the CWRU recordings."""
 
+import codecs
+import io
 import math
 import re
 import warnings
@@ -21,29 +23,40 @@ NPZ_RATE = {"DE12": 12e3, "DE48": 48e3, "FE": 12e3}
 # heading of a column of times: time, t_s, Time (ms), t/s ...
 TIME = re.compile(r"(?:time|t|seconds)(?:[\s_/\[(]+(s|sec|seconds|ms|us|µs|μs)[\])]?)?", re.I)
 SECONDS = {"ms": 1e-3, "us": 1e-6, "µs": 1e-6, "μs": 1e-6}  # s, 1 for other units of time
+# heading of a column of accelerations: a_g, a_m_s2, a (g), a [m/s^2], a/g ...
+ACCELERATION = re.compile(r"(.+?)\s*[_/(\[]\s*(g|m_s2|m/s\^?2|m/s²)\s*[)\]]?")
 EVEN = 1e-3  # largest variation of the time steps in a column, relative to the whole time
+STRAIGHT = 1e-4  # largest deviation of times from equal steps, relative to the whole time, or
+ROUNDED = 2.0  # in multiples of the longest step, since times may be rounded to it
 GAP = 1.5  # a step longer than this many times the others is a gap; times may be rounded coarsely
 
 
 def read_csv(path: Path) -> Contents:
     """Return the `Contents` of a CSV file with or without a header line.
 
-    A first column named time, t or seconds, with or without a unit (time_s, Time (ms)), gives the
-    sampling rate. If there are several columns, row numbers or other numbers that increase in equal
-    steps in the first column are ignored. Raises `RunError` if the file cannot be read.
+    A column named time, t or seconds, with or without a unit (time_s, Time (ms)), gives the
+    sampling rate. If there are several columns, a first one that rises throughout counts times or
+    rows and is not a channel, and neither are columns after it that increase in equal steps.
+    Raises `RunError` if the file cannot be read.
     """
     if told := FEMTO.fullmatch(path.name):
         return _femto(path, told[1])
-    headed = _table(path, None, rows=1).iloc[0].map(lambda one: isinstance(one, str)).any()
-    table = _table(path, 0 if headed else None)
+    text = _text(path)
+    headed = _table(path, text, None, rows=1).iloc[0].map(lambda one: isinstance(one, str)).any()
+    table = _table(path, text, 0 if headed else None)
     table.columns = [
         f"column_{one + 1}" if isinstance(one, int) else str(one).strip() for one in table.columns
     ]
     rate, names = math.nan, list(table.columns)
-    if not TIME.fullmatch(names[0]) and names[1:] and _rises(table[names[0]]):
-        names = names[1:]
-    if told := TIME.fullmatch(names[0]):
-        rate = _rate(path, table[names[0]].to_numpy()) / SECONDS.get((told[1] or "s").lower(), 1.0)
+    while names:
+        told, step = TIME.fullmatch(names[0]), _steps(table[names[0]])
+        rises = len(step) and (step > 0).all()
+        counts = rises and names[1:] and (len(names) == table.shape[1] or _even(step))
+        if not told and not counts:
+            break
+        own = _rate(path, names[0], table[names[0]].to_numpy())
+        if told and math.isnan(rate):
+            rate = own
         names = names[1:]
     if not names:
         raise RunError(f"{path} has a column of times but no signal")
@@ -52,12 +65,11 @@ def read_csv(path: Path) -> Contents:
 
 
 def _unit(name):
-    """Return the unit at the end of a column name, in the form that raceway itself writes."""
-    for end, units in (("_m_s2", "m/s^2"), ("_g", "g")):
-        if name.endswith(end):
-            scale = GRAVITY if units == "g" else 1.0
-            return {"units": "m/s^2", "scale": scale, "meaning": name.removesuffix(end)}
-    return {"meaning": name}
+    """Return the unit at the end of a column name."""
+    if not (told := ACCELERATION.fullmatch(name)):
+        return {"meaning": name}
+    scale = GRAVITY if told[2] == "g" else 1.0
+    return {"units": "m/s^2", "scale": scale, "meaning": told[1]}
 
 
 def _femto(path, kind):
@@ -66,7 +78,7 @@ def _femto(path, kind):
     Its columns are hour, minute, second and fractions of a second, followed by accelerations in g
     or a temperature.
     """
-    table = _table(path, None)
+    table = _table(path, _text(path), None)
     if table.shape[1] != {"acc": 6, "temp": 5}[kind]:
         raise RunError(f"{path} has {table.shape[1]} columns, unlike the {kind} files of PRONOSTIA")
     rate = FEMTO_RATE[kind]
@@ -82,14 +94,14 @@ def _femto(path, kind):
     return Contents("FEMTO", found)
 
 
-def _table(path, header, rows=None):
+def _table(path, text, header, rows=None):
     with reading(path, "a table"), warnings.catch_warnings():
         # rows with more cells than the heading
         warnings.simplefilter("error", pd.errors.ParserWarning)
-        mark = _separator(path)
-        decimal = "," if mark in (";", "\t") and _commas(path) else "."
+        mark = _separator(text)
+        decimal = "," if mark in (";", "\t") and _commas(text) else "."
         table = pd.read_csv(
-            path,
+            io.StringIO(text),
             sep=mark,
             decimal=decimal,
             header=header,
@@ -100,40 +112,58 @@ def _table(path, header, rows=None):
         )
     if not len(table):
         raise RunError(f"{path} has no rows")
-    return table
+    # a separator at the end of the heading begins a column without a name and values
+    nameless = [one for one in table if str(one).startswith("Unnamed: ")]
+    return table.drop(columns=[one for one in nameless if table[one].isna().all()])
 
 
-def _separator(path):
+def _text(path):
+    """Return the text of a file in UTF-8, in UTF-16 with a byte order mark, or else in Latin-1."""
+    with reading(path, "a table"):
+        raw = path.read_bytes()
+        if raw.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+            return raw.decode("utf-16")
+    try:
+        return raw.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return raw.decode("latin-1")
+
+
+def _separator(text):
     """Return the separator of the first line with data: a semicolon, a comma, a tab or blanks. In a
     line with tabs a comma separates only if a tab follows it; otherwise it is a decimal comma."""
-    with path.open(encoding="utf-8") as lines:
-        first = next((line for line in lines if line.partition("#")[0].strip()), "")
+    first = next((line for line in text.splitlines() if line.partition("#")[0].strip()), "")
     if "\t" in first and ";" not in first and ",\t" not in first:
         return "\t"
     return next((mark for mark in (";", ",", "\t") if mark in first), r"\s+")
 
 
-def _commas(path):
+def _commas(text):
     """Return True if numbers have decimal commas, i.e. if there are commas but no points below the
     first line."""
-    body = re.sub("#.*", "", path.read_text(encoding="utf-8")).strip().partition("\n")[2]
+    body = re.sub("#.*", "", text).strip().partition("\n")[2]
     return "," in body and "." not in body
 
 
-def _rate(path, time):
-    try:
-        step = np.diff(np.asarray(time, float))
-    except ValueError:
-        raise RunError(f"{path}: its times are not numbers") from None
+def _rate(path, name, time):
+    """Return the rate in Hz of the times in a column, in the unit of its `name`."""
+    step = _steps(time)
+    if not len(step):
+        raise RunError(f"{path}: its times in {name} are not numbers")
+    uneven = f"{path}: its times in {name} do not increase in equal steps"
     if not _even(step):
-        raise RunError(f"{path}: its times do not increase in equal steps")
+        raise RunError(uneven)
     at = int(step.argmax())
     if step[at] > GAP * np.quantile(step[step > 0], 0.99):
         raise RunError(
-            f"{path}: its times have a gap after row {at + 1} of data, at {time[at]:.9g}: give the"
-            " rows before or after it"
+            f"{path}: its times in {name} have a gap after row {at + 1} of data, at"
+            f" {time[at]:.9g}: give the rows before or after it"
         )
-    return 1 / step.mean()
+    away = np.ptp(time - np.linspace(time[0], time[-1], len(time)))
+    if away > max(ROUNDED * step[at], STRAIGHT * step.sum()):
+        raise RunError(uneven)
+    told = TIME.fullmatch(name)
+    return 1 / step.mean() / SECONDS.get((told and told[1] or "s").lower(), 1.0)
 
 
 def _even(step):
@@ -141,12 +171,12 @@ def _even(step):
     return len(step) > 1 and whole > 0 and step.min() >= 0 and np.ptp(step) <= EVEN * whole
 
 
-def _rises(column):
-    """True if a column of numbers rises at every step, in even steps."""
-    if column.dtype.kind not in "iuf":
-        return False
-    step = np.diff(column.to_numpy(float))
-    return _even(step) and (step > 0).all()
+def _steps(column):
+    """Return the differences between the numbers of a column; none if these are not numbers."""
+    try:
+        return np.diff(np.asarray(column, float))
+    except (TypeError, ValueError):
+        return np.zeros(0)
 
 
 def read_wav(path: Path) -> Contents:
@@ -172,7 +202,8 @@ def read_wav(path: Path) -> Contents:
 
 
 def read_npz(path: Path) -> Contents:
-    """Return the `Contents` of an NPZ file with one channel for each array.
+    """Return the `Contents` of an NPZ file with one channel for each array except times, which have
+    a name as in `read_csv`.
 
     CWRU files contain DE, FE and BA in g, and their names state speed and rate. Raise `RunError` if
     the file cannot be read.
@@ -183,6 +214,8 @@ def read_npz(path: Path) -> Contents:
     told = NPZ.fullmatch(path.name)
     cwru = {"DE", "FE", "BA"} >= set(data) and bool(data)
     rate = NPZ_RATE.get(told[2], math.nan) if told else math.nan
+    for name in [name for name in data if TIME.fullmatch(name) and data[name].ndim == 1]:
+        rate = _rate(path, name, data.pop(name))
     words = {"scale": GRAVITY, "units": "m/s^2", "meaning": "acceleration"} if cwru else {}
     found = {
         name: channel(path, name, values, rate, **words)

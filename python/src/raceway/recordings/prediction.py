@@ -156,23 +156,40 @@ class Misfit(NamedTuple):
         return float(self.independent @ self.independent) + self.width
 
 
-def misfit(rows: Sequence[Reading], found: Sequence[Predicted], lags: Floats) -> Misfit:
-    """Return the `Misfit` between the predictions `found` and the readings `rows`.
+class Errors(NamedTuple):
+    """Errors of predictions, in the units of the readings."""
+
+    shift: Floats  # (N,), mean change due to the lag of the cage
+    cage: Floats  # (N,), standard deviation due to the cage speed, with the sign of its effect
+    alone: Floats  # (N,), standard deviation of the other errors, which are independent
+
+
+def errors(rows: Sequence[Reading], found: Sequence[Predicted], lags: Floats) -> Errors:
+    """Return the `Errors` of the predictions `found` of the readings `rows`, including the errors
+    of the readings themselves.
 
     `lags` (N, 2) contains the smallest and the largest lag of the cage for each reading. The mean
-    of both is subtracted, and the range between them counts as an error. The model error and the
-    lag are common to all cage lines at the same operating point.
+    of both shifts a line, and the range between them counts as an error.
     """
-    within = np.array([one.within for one in rows])
     # change of a line per relative change of the cage speed; 0 for other readings
     size = np.array([_of_cage(one.quantity) * own.error for one, own in zip(rows, found)])
     size /= cage_speed.ERROR
     spread = np.ptp(lags, axis=1) * math.sqrt(1 / 12)
-    common = np.outer(size, size) * (cage_speed.ERROR**2 + np.outer(spread, spread))
-    common *= [[one.point == other.point for one in rows] for other in rows]
-    alone = [0.0 if along else own.error for along, own in zip(size, found)]
-    off = [own.value - one.value for one, own in zip(rows, found)] - size * np.mean(lags, axis=1)
-    return Misfit(off, common + np.diag(within**2 + np.square(alone)), within)
+    own = [0.0 if along else one.error for along, one in zip(size, found)]
+    within = [one.within for one in rows]
+    cage = size * np.hypot(cage_speed.ERROR, spread)
+    return Errors(-size * np.mean(lags, axis=1), cage, np.hypot(own, within))
+
+
+def misfit(rows: Sequence[Reading], found: Sequence[Predicted], lags: Floats) -> Misfit:
+    """Return the `Misfit` between the predictions `found` and the readings `rows`, with `lags` as
+    in `errors`. The error of the cage speed is common to all cage lines at the same operating
+    point."""
+    shift, cage, alone = errors(rows, found, lags)
+    off = [own.value - one.value for one, own in zip(rows, found)] + shift
+    same = [[one.point == other.point for one in rows] for other in rows]
+    within = np.array([one.within for one in rows])
+    return Misfit(off, np.outer(cage, cage) * same + np.diag(alone**2), within)
 
 
 def _of_cage(quantity):

@@ -128,8 +128,20 @@ def _readings(data: Any, folder: Path, shelf: FilePath | None) -> Readings:
     return result
 
 
+def need_possible(of: Readings) -> None:
+    """Raise `ValueError` for a line that no contact angle explains, such as one in Hz."""
+    bearing = inputs.bearing(of.bearing)
+    for k, one in enumerate(of.readings):
+        if one.quantity in orders.LINES:
+            try:
+                orders.angle(bearing, one.quantity, one.value)
+            except ValueError as error:
+                raise ValueError(f"reading {k + 1}: {error}") from None
+
+
 def _complete(of: Readings) -> None:
     """Raise `ValueError` for readings that cannot be predicted."""
+    need_possible(of)
     if not of.unknown:
         raise ValueError("unknown is empty: give at least one unknown, with a range")
     state = {*of.known, *of.unknown}

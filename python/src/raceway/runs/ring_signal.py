@@ -8,6 +8,7 @@ import numpy as np
 from raceway.errors import RunError
 from raceway.runs.columns import RING
 from raceway.runs.source import Signal
+from raceway.runs.summary_table import NAME
 from raceway.theory.bearing import OUTER
 
 if TYPE_CHECKING:
@@ -17,10 +18,12 @@ if TYPE_CHECKING:
 def of_run(run: "Run", name: str, ring: str = "inner") -> Signal:
     """Return the `Signal` of a column of the "inner" or "outer" `ring` of `run`.
 
-    Raise `RunError` unless one bearing has been selected, if the run does not have the column, or
-    if it has fewer than 32 samples.
+    Raise `RunError` unless one bearing has been selected, if there is no such `ring`, if the run
+    does not have the column, or if it has fewer than 32 samples.
     """
     run.tables.record.need_one()
+    if ring not in NAME.values():
+        raise RunError(f"ring is {ring!r}, must be one of {', '.join(NAME.values())}")
     values, where, known = (_of_inner if ring == "inner" else _of_outer)(run, name)
     if values is None:
         raise RunError(f"{where} has no column {name}; it has {', '.join(known)}")

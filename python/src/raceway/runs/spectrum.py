@@ -213,7 +213,8 @@ def lines(
     `run` is from `raceway.open`, or a recording. A line is found if there is a peak that is at most
     `within` (relative to the frequency; or a tenth of the resolution) away from the line of the
     run's own cage and balls, exceeds the median around it by a factor of ten, is less than 80 dB
-    below the strongest peak, and is closer to this line than to any other. The kinematics use the
+    below the strongest peak, and is closer to this line than to any other; the harmonics of a line
+    are taken at the multiples of its lowest peak. The kinematics use the
     speeds of the run and the contact `angle` in rad as in `places`, without clearance. `sidebands`
     has the same meaning as in `expected`.
     """
@@ -227,12 +228,14 @@ def lines(
         for key, both in places(run, angle, 2 * harmonics).items()
         if key[0] in ("BPFO", "BPFI", "BSF")
     }
+    peaks = {key: find(found_in, own, within) for key, own in here.items()}
+    _move_to_peaks(others, peaks)
     result = []
     for (name, n), own in here.items():
         order, kinematic = own_places[name, n][0], rolling[name, n][which]
-        found, _, amplitude, prominence, note = find(found_in, own, within)
+        found, _, amplitude, prominence, note = peaks[name, n]
         if not note:
-            other = min(others, key=lambda key: abs(others[key] - found))
+            other = _nearest(others, found)
             if other != (name, n):
                 found, note = math.nan, f"hidden by {other[0]} x {other[1]}"
         # kinematic is 0 if nothing rotates
@@ -241,6 +244,25 @@ def lines(
         unit = ("order", "Hz")[which]
         result.append(Line(name, n, *map(float, numbers), note, own, unit))
     return result
+
+
+def _move_to_peaks(places, peaks):
+    """Move the `places` {(name, harmonic): frequency} of cage, balls and raceways to the multiples
+    of their lowest peak.
+
+    A contact angle of some degrees moves the third harmonic of BPFO onto the second one of BPFI,
+    for instance. That peak belongs to the line whose fundamental is there.
+    """
+    moved = set()
+    for name, n in sorted((key for key in peaks if not peaks[key][-1]), key=lambda key: key[1]):
+        found = peaks[name, n][0]
+        if name in NAMES.values() and name not in moved and _nearest(places, found) == (name, n):
+            places.update({key: key[1] * found / n for key in places if key[0] == name})
+            moved.add(name)
+
+
+def _nearest(places, found):
+    return min(places, key=lambda key: abs(places[key] - found))
 
 
 def find(
