@@ -103,3 +103,51 @@ def test_four_points_lose_little_more_than_their_spin(law):
         each.append(moment.sum() * rate)
     assert lost.spin.sum() == pytest.approx(sum(each), rel=0.01)
     assert lost.power > sum(each)
+
+
+@pytest.mark.parametrize("light", [1e-4, 1e-2, 0.1])
+def test_a_cage_drives_a_ball_that_hardly_touches_the_inner_ring(light):
+    """Contacts with both grooves of the outer ring spin, which would stop the ball. It rolls on
+    them instead, as it does without any inner contact."""
+    sides, angles = SIDES[1:], ANGLES[1:]
+    load, a = np.array([light, 12.0, 12.0]), np.full(3, 1e-4)
+    weight = np.concatenate([load, 0.4 * load * a])
+    motion = ball_motion.driven(FOUR, sides, angles, RING, weight, np.full(3, 1e-3), a)
+    gamma = R * np.cos(ANGLE) / PITCH
+    cage = RING * (1 - gamma) / 2 * PITCH
+    assert motion[2] == pytest.approx(cage, rel=ball_motion.LAG)
+    lines, goal, _ = ball_motion.rates(FOUR, sides, angles, RING)
+    assert (lines @ motion - goal)[1:3] == pytest.approx(np.zeros(2), abs=1e-3 * cage)
+
+
+def test_motion_between_two_minima():
+    """While the load of one contact grows, the ball goes from sliding at this contact to rolling at
+    it, and its motion changes by small steps if the load does. The minimum of the power jumps."""
+    sides, angles = SIDES, ANGLES + np.array([0.0, 0.02, 0.0, -0.02])
+    lines, goal, _ = ball_motion.rates(FOUR, sides, angles, RING)
+    a = np.array([1e-4, 3e-4, 3e-4, 1e-4])
+
+    def weight(last):
+        load = np.array([1.0, 160.0, 160.0, last])
+        return np.concatenate([load, 0.4 * load * a])
+
+    def least(last):
+        return ball_motion.least(lines, goal, weight(last), R)
+
+    def moved(last):
+        return ball_motion.driven(FOUR, sides, angles, RING, weight(last), np.full(4, 1e-2), a)
+
+    def largest_step(of, loads):
+        return np.ptp([(of(one) * [R, R, 1.0])[:2] for one in loads], axis=0).max()
+
+    low, high = 1.0, 100.0
+    whole = largest_step(least, [low, high])
+    assert whole > 0.1  # m/s
+    while high - low > 1e-9:  # the load at which the minimum jumps most
+        middle = (low + high) / 2
+        if largest_step(least, [low, middle]) > largest_step(least, [middle, high]):
+            high = middle
+        else:
+            low = middle
+    assert largest_step(least, [low, high]) > 0.2 * whole
+    assert largest_step(moved, [low, high]) < 1e-6 * whole

@@ -54,8 +54,9 @@ def test_a_turned_moment_turns_the_excursion():
         excursion.excursion(*equilibrium("7208B", moment), SPEED, np.full((2, 13), 0.05))
         for moment in ((20 * np.cos(a), 20 * np.sin(a)) for a in (0.0, 4 * np.pi / 13))
     )
-    assert one.whole == pytest.approx(other.whole, rel=1e-4)
-    assert one.force == pytest.approx(other.force, rel=1e-3)
+    assert one.whole == pytest.approx(other.whole, rel=1e-9)
+    assert one.needed == pytest.approx(other.needed, rel=1e-9)
+    assert one.force == pytest.approx(other.force, rel=1e-9)
 
 
 def test_a_shaft_that_turns_backwards_mirrors_the_excursion():

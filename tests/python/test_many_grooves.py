@@ -7,9 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from bearings import B6208
-from raceway import static
+from host import ROOT
+from raceway import ball_motion, static
 from raceway.errors import NoEquilibrium
+from raceway.theory import steady_heat
 from raceway.theory.bearing import INNER, OUTER, DoubleRow, Layout
+from raceway.theory.contact_law import FilmInGap
 
 ANGLE = np.radians(35)
 FOUR = B6208.four_point(ANGLE)
@@ -109,3 +112,40 @@ def test_mistakes():
         FOUR.double_row(DoubleRow(0.02)).double_row(DoubleRow(0.02))
     with pytest.raises(NoEquilibrium, match="without a load"):
         static.equilibrium(FOUR, clearance=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("load", "axial", "rpm", "clearance", "preload", "temperature"),
+    [
+        (1985.0, 100.0, 5725.0, 28.8e-6, None, 71.6),  # light balls gain and lose the inner ring
+        (2268.0, 1588.0, 6253.0, 0.0, 0.0, 41.74),
+        (4402.0, 1701.0, 8625.0, 0.0, 16.79e-6, 59.35),
+    ],
+)
+def test_motion_and_films_settle(load, axial, rpm, clearance, preload, temperature):
+    """The films in the gaps are those of the motion of the balls, on which the loads depend in
+    turn. The result does not depend on where the search starts."""
+    rows = None if preload is None else DoubleRow(22e-3, preload)
+    words = dict(load=load, axial=axial, rpm=rpm, clearance=clearance, double_row=rows)
+    case = steady_heat.Case("QJ210", "vg46", ROOT / "inputs", **words)
+
+    def found(*temperatures):
+        scene = case.scene()
+        return [scene.rest(one, clearance) for one in temperatures][-1]
+
+    far, near = found(temperature), found(temperature + 1, temperature)
+    assert near.losses().power == pytest.approx(far.losses().power, rel=1e-6)
+    film = FilmInGap(far.fluid, far.ring)
+    speeds, _ = ball_motion.speeds(far.bearing, far.ring, far.state)
+    again = static.equilibrium(
+        far.bearing,
+        load,
+        axial,
+        held=case.scene().held,
+        clearance=clearance,
+        orbital_speed=far.orbit,
+        ball_density=far.density,
+        film=replace(film, entrainment=speeds),
+    )
+    for side, other in ((far.state.inner, again.inner), (far.state.outer, again.outer)):
+        assert other.load == pytest.approx(side.load, rel=1e-4, abs=1e-6 * load)

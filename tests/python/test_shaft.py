@@ -12,7 +12,7 @@ import pytest
 from bearings import B6208
 from commands import answer, reply
 from host import ROOT
-from raceway import beam, shaft, static
+from raceway import beam, catalogue, inputs, shaft, static
 from raceway.cli import main
 from raceway.commands import shaft as shaft_command
 from raceway.errors import NoEquilibrium
@@ -191,6 +191,19 @@ def test_a_bearing_stiffens_its_own_slope():
     assert slope[1] < slope[0]
 
 
+def left_over(found, loads):
+    """Return the sums of the forces, and of the moments about x and y through the origin, of
+    `loads` and bearings."""
+    force, moment = np.zeros(3), np.zeros(2)
+    for at, push, couple in (
+        *((one.seat.at, -one.load[:3], -one.load[3:]) for one in found.bearings),
+        *((load.at, np.array(load.force), np.array(load.moment)) for load in loads),
+    ):
+        force += push
+        moment += couple + [-at * push[1], at * push[0]]
+    return force, moment
+
+
 def test_everything_balances():
     """The forces of the loads, of gravity and of the bearings balance, and so do their moments
     about the origin."""
@@ -202,13 +215,7 @@ def test_everything_balances():
     ]
     loads = [Load(0.2, (500.0, -2000.0, 300.0)), Load(0.5, (0.0, 400.0, 0.0), (5.0, -8.0))]
     found = shaft.rest(Shaft(sections, gravity=(0.0, -9.81, 0.0)), seats, loads, speed=300.0)
-    force, moment = np.zeros(3), np.zeros(2)
-    for at, push, couple in (
-        *((one.seat.at, -one.load[:3], -one.load[3:]) for one in found.bearings),
-        *((load.at, np.array(load.force), np.array(load.moment)) for load in loads),
-    ):
-        force += push
-        moment += couple + [-at * push[1], at * push[0]]
+    force, moment = left_over(found, loads)
     start = 0.0
     for one in sections:
         heavy = 9.81 * STEEL.density * beam.area(one) * one.length
@@ -217,6 +224,58 @@ def test_everything_balances():
         start += one.length
     assert force == pytest.approx(np.zeros(3), abs=1e-5)
     assert moment == pytest.approx(np.zeros(2), abs=1e-5)
+
+
+def own(name, at, **more):
+    return Seat(at, inputs.bearing(catalogue.find("bearings", name, ROOT / "inputs")), **more)
+
+
+# section, seats, loads, speed
+HARD = {
+    "13 mm apart, one floats, overhung load": (
+        Section(0.334, 0.036),
+        [
+            own("7208B", 0.2076, phase=0.374, offset=(0, 0, -8.72e-6, 6.04e-5, -1.78e-4)),
+            own("7208B", 0.2205, phase=0.271, offset=(0, 0, 2e-6, 1.6e-4, -8e-5), floating=True),
+        ],
+        [Load(0.3159, (1340.0, 1560.0, 372.0))],
+        106.0,
+    ),
+    "7 mm apart": (
+        Section(0.238, 0.0593),
+        [own("7208B", 0.1077, phase=0.0183), own("7208B", 0.1143, phase=0.0487)],
+        [Load(0.03265, (291.0, 1710.0, 19.0))],
+        520.0,
+    ),
+    "floating four-point bearing on a tilted seat": (
+        Section(0.458, 0.0386),
+        [
+            own(
+                "QJ210",
+                0.04077,
+                clearance=26.3e-6,
+                phase=0.153,
+                offset=(4.87e-6, 3.81e-6, -5.44e-6, -3.35e-4, -3.08e-4),
+                floating=True,
+            ),
+            own("6210", 0.1542, clearance=24.5e-6, phase=0.228, spring=-361.0),
+            own("6306", 0.2129, clearance=26.1e-6, phase=0.0996),
+        ],
+        [Load(0.2549, (1340.0, 1970.0, 0.0)), Load(0.271, (-1190.0, 60.7, 330.0))],
+        361.0,
+    ),
+}
+
+
+@pytest.mark.parametrize("scene", HARD.values(), ids=HARD)
+def test_no_valid_scene_is_refused(scene):
+    """On the way to these equilibria, balls lie beyond the edges of their grooves, or a floating
+    bearing loses all of its load."""
+    section, seats, loads, speed = scene
+    found = shaft.rest(Shaft([section]), seats, loads, speed=speed)
+    size = sum(np.linalg.norm(load.force) for load in loads)
+    for left in left_over(found, loads):
+        assert left == pytest.approx(np.zeros(len(left)), abs=1e-8 * size)
 
 
 def test_one_bearing_is_its_statics():

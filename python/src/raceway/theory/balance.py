@@ -50,10 +50,12 @@ class Balance:
         centrifugal: Floats,
         finite_shift: bool,
         film: FilmInGap | None = None,
+        loose: bool = False,
     ) -> None:
         """Set up the problem. `force` (3,) is in N and `moment` (2,) in N m; `held` (5,) contains
         the imposed displacements in m and rad, and NaN for free directions; `azimuth` (Z,) in rad
-        and `centrifugal` (Z,) in N list all balls, row by row."""
+        and `centrifugal` (Z,) in N list all balls, row by row. If `loose`, the ring need not be
+        carried by a ball."""
         self.bearing, self.clearance, self.azimuth = bearing, clearance, azimuth
         self.centrifugal = np.broadcast_to(np.asarray(centrifugal, float), azimuth.shape)
         self.moment, self.finite_shift = np.asarray(moment, float), finite_shift
@@ -76,7 +78,7 @@ class Balance:
         self.digits = 8 * np.spacing(bearing.pitch_radius)
         # m, longest Newton step, small compared with the groove
         self.cap = 0.25 * (bearing.groove_gap(INNER) + bearing.groove_gap(OUTER))
-        self.film = film
+        self.film, self.loose = film, loose
         self._balls: Floats | None = None  # (Z, 2), at the previous position of the ring
         self._bend(np.zeros((len(self.gap), len(azimuth))))
 
@@ -86,7 +88,7 @@ class Balance:
         direction of the displacement is undetermined."""
         loads = np.where(self.free, self.loads, 0)
         size = np.linalg.norm(loads)
-        if self.free.any() and not size and not np.any(self.held):
+        if self.free.any() and not size and not np.any(self.held) and not self.loose:
             if np.all(seat.nearest(self.grooves(self.held))[0] <= self.digits):
                 raise NoEquilibrium(
                     "without a load the position of a ring that is not preloaded is indeterminate"
@@ -124,7 +126,7 @@ class Balance:
         else:
             raise NoEquilibrium("contact angles and contact stiffness do not converge")
         found = self.at(place)
-        if self.free.any() and not found.touch.carried.any():
+        if self.free.any() and not found.touch.carried.any() and not self.loose:
             raise NoEquilibrium("no ball carries load: the position of the ring is indeterminate")
         return place, found
 

@@ -21,7 +21,7 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.static import Equilibrium
 from raceway.units import prefixed
 
-POINTS = 720  # number of points on the path of a ball around the bearing, for the integrals
+POINTS = 720  # least number of points on the path of a ball around the bearing, for the integrals
 SHIFTS = 41  # number of tried displacements of the cage
 
 
@@ -142,14 +142,16 @@ def _traction(bearing, side, slip, one, friction, orbit):
 
 def _integral(values):
     """Return the integral over a turn of samples at equal angles, minus its mean, at `POINTS`
-    angles."""
+    angles or slightly more, among which are those of the samples: the extremes then do not depend
+    on which ball is the first."""
     count = len(values)
+    points = count * -(-POINTS // count)
     waves = np.fft.fft(values) / count
     order = np.round(np.fft.fftfreq(count, 1 / count)).astype(int)
-    spectrum = np.zeros(POINTS, complex)
+    spectrum = np.zeros(points, complex)
     turning = order != 0
     spectrum[order[turning]] = waves[turning] / (1j * order[turning])
-    return np.real(np.fft.ifft(spectrum)) * POINTS
+    return np.real(np.fft.ifft(spectrum)) * points
 
 
 def warning(found: Excursion) -> str | None:

@@ -21,6 +21,8 @@ from raceway.theory import ball_motion, capacitance, film, hertz, kinematics
 from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.static import Equilibrium, equilibrium
 
+ROUNDS = 200  # largest number of equilibria on the way to that of `turning`
+
 
 class Film(NamedTuple):
     """Films on one raceway, in arrays with the same shape as in `static.Contacts`. Values are zero
@@ -126,20 +128,34 @@ def turning(
     """Return the `Equilibrium` and the `orbit` in rad/s, including the centrifugal load of balls
     that roll on an inner ring at `speed` rad/s. Loads and options are as in `static.equilibrium`.
     The orbital speed depends on the contact angles and vice versa, so both are determined by
-    iteration. With several grooves, the film in the gap is part of the iteration.
+    iteration. With several grooves, the film in the gap is part of the iteration: it follows from
+    the motion of the balls, and the loads follow from it. The film first belongs to balls that roll
+    at all contacts, so the result does not depend on a nearby equilibrium.
+
+    A film that is thinner where a ball slides more can change the loads such that it slides less,
+    and the speeds would oscillate. The change of a ball's speeds is therefore halved whenever it
+    reverses. Raises `NoEquilibrium` if they do not settle.
     """
     near, film = options.get("near"), options.get("film")
     orbital = orbit(bearing, near, speed) if near else speed * kinematics.frequencies(bearing).cage
-    for _ in range(30):
+    several = film is not None and len(bearing.raceways) > 2
+    drawn = last = None
+    part = np.ones(len(bearing.row))
+    for _ in range(ROUNDS):
         state = equilibrium(bearing, *loads, orbital_speed=orbital, **options)
         options["near"] = state
         before, orbital = orbital, orbit(bearing, state, speed)
         same = np.all(np.abs(orbital - before) <= 1e-9 * abs(speed))
-        if film is not None and len(bearing.raceways) > 2:
-            drawn, _ = ball_motion.speeds(bearing, speed, state)
-            known = options["film"].entrainment
-            same = same and known is not None and np.allclose(drawn, known, rtol=1e-6, atol=0)
+        if several and (same or drawn is not None):
+            found, _ = ball_motion.speeds(bearing, speed, state)
+            if drawn is None:
+                drawn, last, same = found, np.zeros(found.shape), False
+            else:
+                change = found - drawn
+                same = same and np.all(np.abs(change) <= 1e-6 * np.abs(drawn))
+                part[(change * last).sum(0) < 0] /= 2
+                drawn, last = drawn + part * change, change
             options["film"] = replace(film, entrainment=drawn)
         if same:
-            break
-    return state, before
+            return state, before
+    raise NoEquilibrium("the speeds of the balls, their films and their loads do not settle")

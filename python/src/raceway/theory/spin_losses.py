@@ -177,7 +177,7 @@ def _several(bearing, one, sides, ring, spin_law, fluid, surfaces):
 
     def least(one):
         weight = np.concatenate([one.friction * one.load, one.spin_moment])
-        return ball_motion.least(lines, goal, weight, bearing.ball_radius)
+        return ball_motion.driven(bearing, sides, one.angle, ring, weight, _edge(one), one.a)
 
     # direction in which the surface of the ball moves past the contact
     way = np.where(sides == INNER, 1.0, -1.0) * np.sign(ring)

@@ -107,6 +107,8 @@ def equilibrium(
     finite_shift: bool = False,
     film: FilmInGap | None = None,
     near: Equilibrium | None = None,
+    loose: bool = False,
+    checked: bool = True,
 ) -> Equilibrium:
     """Find the `Equilibrium` of `bearing` under a radial load in the direction `load_azimuth` (rad)
     and an axial load along +z, both in N on the inner ring.
@@ -119,8 +121,9 @@ def equilibrium(
     `orbital_speed` in rad/s, one value for all balls or one for each (Z,), adds the centrifugal
     load m r omega^2, where m follows from `ball_density` in kg/m^3. `finite_shift` is explained
     above; `film` adds the film in the gap. If a nearby equilibrium `near` is given, the search
-    starts from it. Raises `NoEquilibrium` if the ring is free to move or the balls are forced out
-    of their grooves, and `ValueError` for an unknown degree of freedom.
+    starts from it. Raises `NoEquilibrium` if the ring is free to move, unless it may be `loose`, or
+    if balls are forced out of their grooves, unless this is not `checked`, as on the way to an
+    equilibrium of several bearings. Raises `ValueError` for an unknown degree of freedom.
 
     >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -157,9 +160,10 @@ def equilibrium(
 
     def found(near):
         balance = Balance(
-            bearing, force, couple, place, azimuth, clearance, centrifugal, finite_shift, film
-        )
-        return _state(balance, *balance.find(near and _place(near)))
+            bearing, force, couple, place, azimuth, clearance, centrifugal, finite_shift, film,
+            loose,
+        )  # fmt: skip
+        return _state(balance, *balance.find(near and _place(near)), checked)
 
     try:
         return found(near)
@@ -183,11 +187,12 @@ def contacts(
     clearance: float = 0.0,
     *,
     held: bool | Floats = False,
+    checked: bool = True,
 ) -> Contacts:
     """Return the `Contacts` of balls at `distance` (m) from the centres of curvature, under `load`
     (N) at `angle` (rad), in arrays of equal shape; `held` marks unloaded balls that have a definite
-    position. Raises `NoEquilibrium` if the balls are forced out of their grooves."""
-    if np.any((load > 0) & (np.cos(angle) < -0.7)):
+    position. If `checked`, raises `NoEquilibrium` if the balls are forced out of their grooves."""
+    if checked and np.any((load > 0) & (np.cos(angle) < -0.7)):
         raise NoEquilibrium(
             f"balls lie against the far side of the {('inner', 'outer')[raceway]} groove: the play"
             f" is more than 2 (r_c - R_b) = {2 * bearing.groove_gap(raceway):g} m"
@@ -195,7 +200,8 @@ def contacts(
     ellipse = hertz.exact(*bearing.effective_radii(raceway, angle, clearance))
     modulus, groove = bearing.effective_modulus, bearing.groove(raceway)
     a, b = hertz.semi_axes(ellipse, modulus, load)
-    if np.any(a >= groove) or np.any((load > LIGHT * load.max()) & (np.cos(angle) <= 0)):
+    out = np.any(a >= groove) or np.any((load > LIGHT * load.max()) & (np.cos(angle) <= 0))
+    if checked and out:
         raise NoEquilibrium(
             f"the load forces balls out of the {('inner', 'outer')[raceway]} groove: contact "
             f"angle {np.degrees(np.abs(angle).max()):.0f} degrees, contact half-width "
@@ -219,7 +225,7 @@ def imposed(held: Mapping[str, float]) -> Floats:
     return place
 
 
-def _state(balance, place, here):
+def _state(balance, place, here, checked):
     bearing, touch = balance.bearing, here.touch
     angle, ring = balance.angles(touch), place / balance.metres
     sides = []
@@ -228,7 +234,7 @@ def _state(balance, place, here):
         own = own[0] if len(own) == 1 else own
         found = (one[own] for one in (touch.distance, touch.load, angle))
         held = balance.centrifugal > 0
-        sides.append(contacts(bearing, side, *found, balance.clearance, held=held))
+        sides.append(contacts(bearing, side, *found, balance.clearance, held=held, checked=checked))
     each = touch.load[: len(touch.reach.line), :, None] * touch.reach.line
     return Equilibrium(
         ring[:3],
