@@ -2,8 +2,8 @@
 """The friction torque of settled runs under combined loads and moments is within the range that
 statics states, in bearings with few and with many balls and contact angles of 15 to 40 degrees.
 
-The bounds of `validity.TORQUE` were measured in 168 random scenes, of which the scenes here include
-the extremes of each kind; `tests/bench/torque_range.py` draws others (docs/static)."""
+The scenes are extremes of random scenes, such as those that `tests/bench/torque_range.py` draws
+(docs/static)."""
 
 import json
 

@@ -9,9 +9,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from raceway import core, files, units
+from raceway import catalogue, core, files, units
 from raceway.errors import RacewayError, near, unreadable
 from raceway.files import FilePath
+from raceway.inputs import InputError
 from raceway.sweeps import variable_table
 
 INDEX = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)", re.MULTILINE)
@@ -170,16 +171,29 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
 
 def check_ranges(table: FilePath, points: Sequence[Point], deck: FilePath) -> None:
     """Raise `TableError` with the message of the `deck` for values in the `table` that it refuses
-    before it runs, i.e. for variables that it passes to a command under their own names."""
+    before it runs, i.e. for variables that it passes to a command under their own names, and for
+    bearings and lubricants that do not exist."""
     passed = _passed(Path(deck))
     wrong = [
         f"{point.name}: {message}"
         for point in points
         for name, value in point.variables.items()
-        if name in passed and (message := core.wrong_value(name, value))
+        if name in passed
+        and (message := core.wrong_value(name, value) or _missing(name, value, point))
     ]
     if wrong:
         raise TableError(f"{table}: {_some(wrong)}")
+
+
+def _missing(name, value, point):
+    """Return a message if `value` is the name of a bearing or lubricant that does not exist."""
+    if name not in ("bearing", "lubricant"):
+        return None
+    try:
+        catalogue.find(f"{name}s", value, point.variables.get("inputs"))
+    except InputError as error:
+        return str(error)
+    return None
 
 
 def _passed(path):
