@@ -9,10 +9,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from raceway import catalogue, core, files, units
+from raceway import core, files, units
 from raceway.errors import RacewayError, near, unreadable
 from raceway.files import FilePath
-from raceway.inputs import InputError
 from raceway.sweeps import variable_table
 
 INDEX = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)", re.MULTILINE)
@@ -189,9 +188,11 @@ def _missing(name, value, point):
     """Return a message if `value` is the name of a bearing or lubricant that does not exist."""
     if name not in ("bearing", "lubricant"):
         return None
+    from raceway import catalogue  # it loads numpy, which no help of a command needs
+
     try:
         catalogue.find(f"{name}s", value, point.variables.get("inputs"))
-    except InputError as error:
+    except RacewayError as error:
         return str(error)
     return None
 
