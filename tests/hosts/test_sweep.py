@@ -263,6 +263,17 @@ def test_check_runs_nothing(table, tmp_path):
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.parametrize(
+    ("name", "right", "wrong"), [("bearing", "6306", "NU206"), ("lubricant", "dry", "honey")]
+)
+def test_check_finds_unknown_names(tmp_path, name, right, wrong):
+    table = tmp_path / "t.csv"
+    table.write_text(f"{name}\n{right}\n")
+    assert sweep(table, "--check").returncode == 0
+    table.write_text(f"{name}\n{right}\n{wrong}\n")
+    assert f"'{wrong}' in " in sweep(table, "--check").stderr
+
+
 @pytest.mark.parametrize("deck", ["inputs/in.6208", "inputs/in.many", "docs/decks/in.two_bearings"])
 def test_check_finds_what_the_deck_refuses(tmp_path, deck):
     """For one wrong value at a time, the message of `--check` is that of the deck. Values that the

@@ -110,6 +110,9 @@ def test_clearance_classes():
 
 def test_nothing_fits(capsys):
     assert "no bearing matches" in reply(capsys, "catalogue --bore 41", code=1)
+    assert "no bearing matches" in reply(capsys, "catalogue 6208 --bore 50", code=1)
+    near = "there is no ball bearing '7310B' in "
+    assert near in (said := reply(capsys, "catalogue 7310B", code=1)) and "7210B, " in said
     assert "out of range" in reply(capsys, "catalogue --bore 0", code=2)
 
 
@@ -140,7 +143,7 @@ def test_file_to_edit(capsys, tmp_path, name):
         assert len({line.find(sign) for line in data if sign in line}) == 1  # columns are aligned
     assert "already exists" in reply(capsys, ["catalogue", name, "--file", path], code=1)
     assert main(["catalogue", "--file", str(tmp_path / "other")]) == 1
-    assert "there is no bearing '7205'" in reply(
+    assert "there is no ball bearing '7205'" in reply(
         capsys, ["catalogue", "7205", "--file", tmp_path / "other"], code=1
     )
 
@@ -165,7 +168,7 @@ def test_page_shows_what_is_printed(capsys, tmp_path):
     example = page.rpartition(".. code-block:: python")[2].partition("\n\nFor several")[0]
     names = {}
     exec("\n".join(line[3:] for line in example.splitlines()), names)
-    assert (names["number"], names["diameter"]) == (10, pytest.approx(14.2875e-3))
+    assert (names["number"], names["diameter"]) == (13, pytest.approx(25.4e-3 * 15 / 32))
     table = page.rpartition(".. code-block:: none\n\n")[2].partition("\n\n*")[0]
     (tmp_path / "own.csv").write_text("\n".join(line[3:] for line in table.splitlines()) + "\n")
     assert inputs.bearing(tmp_path / "mine").ball_diameter == 12.7e-3

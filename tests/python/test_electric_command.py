@@ -255,7 +255,7 @@ POINT = ["--load", "1000", "--rpm", "900"]
         ([*POINT, "--measured", "1e-13"], 2, "films from 0.001 to 1000 times"),
         ([*POINT, "--measured-impedance", "1e5", "-90"], 2, "needs --frequency"),
         ([*POINT, "--frequency", "1", "--measured-impedance", "1", "9"], 2, "-90 to 0 deg"),
-        ([*POINT, "--bearing", ""], 1, "there is no bearing ''"),
+        ([*POINT, "--bearing", ""], 1, "there is no ball bearing ''"),
         ([*POINT, "--lubricant", "dry"], 1, "has no viscosity"),
         ([*POINT, "--lubricant", "mineral", "--temperature", "70"], 1, "values for 40 C only"),
         ([*POINT, "--csv", "/nowhere/x.csv"], 1, "cannot write /nowhere/x.csv"),

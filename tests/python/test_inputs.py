@@ -2,11 +2,14 @@
 """Tests of the data files for decks."""
 
 import math
+import re
 
 import pytest
 from host import ROOT
 from raceway import catalogue, inputs
+from raceway.theory import makers
 from raceway.theory.bearing import INNER, OUTER
+from raceway.theory.operating_point import figures
 
 
 def test_values(tmp_path):
@@ -61,6 +64,19 @@ def test_pitch_diameter(name):
     apart = (one.outer_groove - one.inner_groove) * (1 - cosine)
     assert 2 * one.pitch_radius - stated == pytest.approx(apart, rel=1e-9, abs=1e-16)
     assert one.pitch_radius == pytest.approx(stated / 2, rel=5e-4)
+
+
+def test_series_without_constants(tmp_path):
+    """Only the torque by SKF's formula is missing if it has no constants for the series."""
+    path, text = tmp_path / "own", (ROOT / "inputs/bearings/6208").read_text()
+    found = []
+    for series in ("62", "32"):
+        path.write_text(re.sub(r"(variable series +index) \S+", rf"\1 {series}", text))
+        found.append(figures(str(path), "vg46", load=1000.0, rpm=1000.0))
+    known, unknown = found
+    assert unknown["absent"]["torque_skf_N_m"] == makers.NO_SERIES
+    assert unknown["friction_torque_N_m"] == known["friction_torque_N_m"]
+    assert known["torque_skf_N_m"] > 0
 
 
 def test_composite_roughness(tmp_path):

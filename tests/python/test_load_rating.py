@@ -54,3 +54,5 @@ def test_errors():
         load_rating.dynamic(9, 20e-3, 40e-3)
     with pytest.raises(ValueError, match="no balls on a pitch circle of 0.06 m"):
         load_rating.balls(1e6, 1e6, 60e-3)
+    with pytest.raises(ValueError, match="contact angle 40 rad must lie between 0 and pi/2"):
+        load_rating.balls(30600.0, 21300.0, 60e-3, 40.0)

@@ -33,7 +33,7 @@ def write(tmp_path, text=GOOD):
     "old, new, says",
     [
         ("bearing: 6205", "", "bearing is missing"),
-        ("bearing: 6205", "bearing: 62055", "there is no bearing '62055'"),
+        ("bearing: 6205", "bearing: 62055", "there is no ball bearing '62055'"),
         ("bearing: 6205", "bearing: [6205]", "bearing must be one name"),
         ("bearing: 6205", "bearings: 6205", "bearings is not one of bearing, lubricant"),
         ("vg68", "vg68\nmodels: fuller", "models 'fuller' is not one of paper, full, eyring"),

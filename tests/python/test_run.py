@@ -79,6 +79,20 @@ def test_blocks_are_the_whole(folder, small_blocks):
         assert [block.attrs["first"] for block in blocks] == [0, *ends[:-1]] and ends[-1] == 49
 
 
+def test_parts_of_kept_numbers_are_not_read_again(folder, small_blocks, monkeypatch):
+    """A summary reads the whole record for one number per sample only once, whatever the ranges."""
+    names = ["time", "ring_x", "bearing_contacts"]
+    parts = [RunTables(folder).record.read(names, 20, stop) for stop in (48, None)]
+    record, scans = RunTables(folder).record, []
+    scan = type(record)._scan
+    monkeypatch.setattr(type(record), "_scan", lambda *a: scans.append(a[2:]) or scan(*a))
+    record.read(names)
+    for part, stop in zip(parts, (48, None)):
+        again = record.read(names, 20, stop)
+        assert all(np.array_equal(again[name], part[name], equal_nan=True) for name in names)
+    assert scans == [(0, 49)]
+
+
 @pytest.mark.parametrize("window", [slice(0, 5), slice(7, 20), slice(40, None)])
 def test_window_of_samples(folder, window):
     some, whole = RunTables(folder, window), RunTables(folder)

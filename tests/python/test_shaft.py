@@ -422,7 +422,7 @@ def test_several_speeds(motor, capsys):
         ),
         ("length: 0.24, ", "", "sections 2: needs length"),
         ("name: 6208, at: 0.03,", "at: 0.03,", "bearings 1: needs a name"),
-        ("name: 6208, at: 0.03,", "name: 9999, at: 0.03,", "there is no bearing '9999'"),
+        ("name: 6208, at: 0.03,", "name: 9999, at: 0.03,", "there is no ball bearing '9999'"),
         ("name: 6208, at: 0.03,", "name: 7208, at: 0.03,", "clearance 1e-05 m must be 0"),
         ("clearance: 10.0e-6", "clearance: -0.9e-3", "clearance -0.0009 m must be from"),
         ("force: [1500, 0, 0]", "force: [1500, 0]", "loads 1: force must be a list of 3 numbers"),

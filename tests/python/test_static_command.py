@@ -187,7 +187,7 @@ def test_folder_here_comes_first(tmp_path, monkeypatch):
         ([], "position of a ring that is not preloaded is indeterminate"),
         (["--load", "1000", "--hold", "x=0", "--hold", "y=0"], "no ball carries"),
         (["--axial", "1e6"], "out of the inner groove"),
-        (["--load", "10", "--bearing", "6299"], "there is no bearing '6299' in "),
+        (["--load", "10", "--bearing", "6299"], "there is no ball bearing '6299' in "),
         (["--load", "10", "--bearing", "./none"], "there is no file ./none"),
         (["--load", "10", "--lubricant", "oil", "--rpm", "1"], "there is no lubricant 'oil' in "),
         (["--load", "10", "--inputs", "/none"], "there is no folder /none"),

@@ -53,7 +53,7 @@ def test_columns_of_the_record_come_first(folder, monkeypatch):
     is requested."""
     run = raceway.open(folder)
     own = whole_capacitance.over_time(run)
-    assert own.attrs["source"] == "places, loads and films"
+    assert own.attrs["source"] == "positions, loads and films"
     contacts = run.contacts
     for name, column in whole_capacitance.RECORDED.items():
         values = own[name].reindex(time=contacts["time"], fill_value=1.0)
@@ -64,7 +64,7 @@ def test_columns_of_the_record_come_first(folder, monkeypatch):
     for name in ("total", "separation", "one_ball", "bearing"):
         assert found[name].to_numpy() == pytest.approx(3 * own[name].to_numpy(), rel=1e-12)
     asked = whole_capacitance.over_time(run, Filling("dry"))
-    assert asked.attrs["source"] == "places, loads and films"
+    assert asked.attrs["source"] == "positions, loads and films"
 
 
 def test_threshold_is_the_least_of_the_balls(folder):

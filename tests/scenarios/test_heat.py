@@ -8,6 +8,7 @@ import pytest
 import raceway
 from host import refuses, succeed
 from raceway import cage_drag, heat, heat_scene, steady_heat
+from raceway.runs.summary_table import table
 
 # the run settles until the energy stored in balls and cage drifts by less than the tolerances below
 POINT = dict(lubricant="vg46", load=5000, rpm=1910, overwrite="yes", settled=1e-4, passes=10,
@@ -34,6 +35,7 @@ def test_steady_state_is_that_of_raceway_heat(warm):
     assert said["temperature_oil_C"] == pytest.approx(found["temperature_C"], abs=0.1)
     assert said["clearance_warm_m"] == pytest.approx(found["clearance_warm_m"], abs=0.2e-6)
     assert said["viscosity_Pa_s"] == pytest.approx(found["viscosity_Pa_s"], rel=5e-3)
+    assert [line.split()[0] for line in table(said).splitlines() if "°C  (" in line] == ["inner"]
 
 
 def test_oil_that_flows(tmp_path):

@@ -10,7 +10,7 @@ from raceway import data_table
 from raceway.files import FilePath
 from raceway.inputs import InputError
 
-KINDS = {"bearings": "bearing", "lubricants": "lubricant"}
+KINDS = {"bearings": "ball bearing", "lubricants": "lubricant"}
 # In a source tree this is a link to the inputs folder; a wheel contains copies of the files.
 SHIPPED = Path(__file__).with_name("data")
 MANY = 20  # if a message would list more names than this, it lists only similar names

@@ -201,13 +201,12 @@ def _radii(path):
 
 def boundary(path: FilePath) -> makers.Boundary | None:
     """Return the `makers.Boundary` of a bearing from its file in inputs/bearings, or None if the
-    file does not state the maker's data. Raises `InputError`."""
+    file states no series of `makers.SERIES`. Raises `InputError`."""
     names = ("bore_diameter", "outside_diameter", "bearing_width", "basic_static_load")
-    if "series" not in values(path):
+    if (series := values(path).get("series")) not in makers.SERIES:
         return None
     bore, outside, width, static = numbers(path, *names).values()
     try:
-        series = values(path)["series"]
         return makers.Boundary(1e3 * bore, 1e3 * outside, 1e3 * width, series, static)
     except ValueError as error:
         raise InputError(f"{path}: {error}") from None

@@ -84,7 +84,7 @@ def add(one: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    from raceway import listing
+    from raceway import catalogue, listing
     from raceway.inputs import InputError
 
     if arguments.file is not None:
@@ -105,6 +105,8 @@ def run(arguments: argparse.Namespace) -> None:
         **sizes,
     )
     if not found:
+        if len(arguments.words) == 1:
+            catalogue.find("bearings", arguments.words[0], arguments.inputs)  # names similar ones
         raise InputError("no bearing matches; `raceway catalogue` lists all of them")
     rows = [one.figures() for one in found]
     if arguments.clearances:

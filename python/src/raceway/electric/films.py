@@ -183,7 +183,10 @@ def _column(contacts, names, what):
     for one in names:
         if one in contacts:
             return contacts[one].transpose("time", "raceway", "ball").to_numpy().astype(float)
-    raise RunError(f"{what} has neither the column {names[0]} nor {names[1]}")
+    raise RunError(
+        f"{what} has neither the column {names[0]} nor {names[1]}; a run with a"
+        " lubricant and fix bearing/capacitance has them"
+    )
 
 
 def _angle(contacts, balls, name):

@@ -145,8 +145,9 @@ def whirl_order(place: np.ndarray, turn: float, play: float) -> float | None:
         return None
     if np.abs(place).max() < WHIRLS * play:
         return 0.0
-    # A window and zero padding are used so that a line may lie between bins.
-    wide = 8 * count
+    # A window and zero padding are used so that a line may lie between bins. The FFT of a length
+    # with large prime factors would take several times the memory.
+    wide = 8 << (count - 1).bit_length()
     power = np.abs(np.fft.fft(place * np.hanning(count), wide)) ** 2
     speed = np.fft.fftfreq(wide) * 2 * math.pi / turn
     bin_ = 2 * math.pi / (abs(turn) * count)

@@ -192,9 +192,11 @@ class Record:
         numbers = [n for n, dims in self.variables.items() if dims in NUMBERS]
         if last - first <= self._block or not set(names) <= set(numbers):
             return self._scan(names, first, last)
-        if self._numbers[0] != (first, last):
+        kept, end = self._numbers[0]
+        if not kept <= first <= last <= end:
+            kept = first
             self._numbers = (first, last), self._scan(numbers, first, last)
-        return {name: self._numbers[1][name] for name in names}
+        return {name: self._numbers[1][name][first - kept : last - kept] for name in names}
 
     def _scan(self, names, first, last):
         """Return {name: array} for the samples `first` to `last`."""

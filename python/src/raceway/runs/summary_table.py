@@ -200,6 +200,8 @@ def _nothing(key, figures):
         return abs(value) < STILL[key]
     if key == "axial_N":
         return not value
+    if key == "temperature_C":  # not that of the films if temperatures follow from the losses
+        return "temperature_oil_C" in figures
     if key in ("rpm_least", "rpm_most", "rpm_top"):
         return figures["rpm_most"] - figures["rpm_least"] < STEADY * figures["rpm_most"]
     if key in ("rpm_inner", "rpm_outer"):

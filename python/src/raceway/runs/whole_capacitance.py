@@ -163,7 +163,7 @@ def over_time(
     for name in data.data_vars:
         unit, meaning = MEANING[name]
         data[name].attrs = {"units": unit, "long_name": meaning}
-    source = "record" if recorded else "places, loads and films"
+    source = "record" if recorded else "positions, loads and films"
     data.attrs = {"quiet_load_N": quiet, "filling": filling.kind, "source": source}
     return data
 

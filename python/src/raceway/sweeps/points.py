@@ -170,16 +170,31 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
 
 def check_ranges(table: FilePath, points: Sequence[Point], deck: FilePath) -> None:
     """Raise `TableError` with the message of the `deck` for values in the `table` that it refuses
-    before it runs, i.e. for variables that it passes to a command under their own names."""
+    before it runs, i.e. for variables that it passes to a command under their own names, and for
+    bearings and lubricants that do not exist."""
     passed = _passed(Path(deck))
     wrong = [
         f"{point.name}: {message}"
         for point in points
         for name, value in point.variables.items()
-        if name in passed and (message := core.wrong_value(name, value))
+        if name in passed
+        and (message := core.wrong_value(name, value) or _missing(name, value, point))
     ]
     if wrong:
         raise TableError(f"{table}: {_some(wrong)}")
+
+
+def _missing(name, value, point):
+    """Return a message if `value` is the name of a bearing or lubricant that does not exist."""
+    if name not in ("bearing", "lubricant"):
+        return None
+    from raceway import catalogue  # it loads numpy, which no help of a command needs
+
+    try:
+        catalogue.find(f"{name}s", value, point.variables.get("inputs"))
+    except RacewayError as error:
+        return str(error)
+    return None
 
 
 def _passed(path):

@@ -42,8 +42,14 @@ class Balls(NamedTuple):
     diameter: float  # m
 
 
+def _cosine(angle: float) -> float:
+    if not 0 <= angle < math.pi / 2:
+        raise ValueError(f"contact angle {angle:g} rad must lie between 0 and pi/2")
+    return math.cos(angle)
+
+
 def _ratio(ball: float, pitch: float, angle: float) -> float:
-    ratio = ball * math.cos(angle) / pitch
+    ratio = ball * _cosine(angle) / pitch
     if not 0.01 <= ratio <= 0.4:
         raise ValueError(f"D cos(angle)/D_pw = {ratio:g} must lie between 0.01 and 0.4")
     return ratio
@@ -104,7 +110,7 @@ def balls(
     rows: int = 1,
 ) -> Balls:
     """Return the `Balls` of one row on a `pitch` circle (m) in a bearing with the given ratings
-    (N).
+    (N) and the nominal contact `angle` in rad.
 
     For each number of balls, the diameter is computed from C_0. The number is then chosen such that
     C by ISO 281, multiplied by the maker's `dynamic_factor`, is closest to the rating. Finally, the
@@ -117,11 +123,11 @@ def balls(
     >>> count, round(1e3 * diameter, 3)
     (13, 11.906)
     """
-    found = {}
+    found, slant = {}, pitch / _cosine(angle)
     for count in range(4, 60):
         largest = pitch * math.sin(FULLEST * math.pi / count)
         # stay inside the tables, whose range is 0.01 to 0.4
-        low, high = 0.011 * pitch / math.cos(angle), min(largest, 0.39 * pitch / math.cos(angle))
+        low, high = 0.011 * slant, min(largest, 0.39 * slant)
 
         def excess(ball, count=count):
             return static(count, ball, pitch, angle, rows=rows) - static_rating

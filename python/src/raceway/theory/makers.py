@@ -27,11 +27,13 @@ CONSTANTS = {
     "619": (4.3e-7, 1.7, 4.75e-3, 3.6),
 }
 # (R1, R2, R3, S1, S2, S3) for single-row angular contact ball bearings, contact angle 40 degrees
-ANGULAR = {"72": (5.03e-7, 1.97, 1.90e-12, 1.30e-2, 0.68, 1.91e-12)}
+ANGULAR = dict.fromkeys(("72", "73"), (5.03e-7, 1.97, 1.90e-12, 1.30e-2, 0.68, 1.91e-12))
 # thrust that a radial load induces in them, divided by that load: R of the General Catalogue 6000
 # (page 417) for bearings without an external thrust
 INDUCED = 1.0
 SAME = {"630": "60", "622": "62", "623": "63", "161": "160", "628": "618"}
+SERIES = (*CONSTANTS, *SAME, *ANGULAR)
+NO_SERIES = "the bearing's file states no series with known constants"
 KEYS = ("torque_skf_N_m", "torque_palmgren_N_m")  # of the results of `torques`
 FEW = 0.01  # fraction of the radial force below which `torques` neglects an axial force
 BOUNDARY, MINERAL, SYNTHETIC = 0.12, 0.05, 0.04  # mu_bl, and mu_EHL for the two kinds of oil
@@ -58,16 +60,14 @@ class Boundary:
     bore: float
     outside: float
     width: float
-    series: str  # a key of `CONSTANTS`, `SAME` or `ANGULAR`
+    series: str  # one of `SERIES`
     static_rating: float  # C0, N
 
     def __post_init__(self):
         if not 0 < self.bore < self.outside:
             raise ValueError(f"bore {self.bore} mm must lie between 0 and {self.outside} mm")
-        known = [*CONSTANTS, *SAME, *ANGULAR]
-        if self.series not in known:
-            known = ", ".join(known)
-            raise ValueError(f"series '{self.series}' is not one of {known}")
+        if self.series not in SERIES:
+            raise ValueError(f"series '{self.series}' is not one of {', '.join(SERIES)}")
 
     @property
     def mean(self) -> float:
@@ -209,13 +209,13 @@ def torques(
     `ball_diameter` is in m; the other arguments are as in `skf`. `one_groove` is False if a ring
     has several grooves.
 
-    >>> list(torques(None, 1000.0, 0.0, 1500.0, 46.0, 12.6e-3).values())
-    ["the bearing's file does not state its series", "the bearing's file does not state its series"]
+    >>> torques(None, 1000.0, 0.0, 1500.0, 46.0, 12.6e-3)["torque_skf_N_m"]
+    "the bearing's file states no series with known constants"
     """
     if not one_groove:
         return dict.fromkeys(KEYS, "the formula is for one groove per ring")
     if bearing is None:
-        return dict.fromkeys(KEYS, "the bearing's file does not state its series")
+        return dict.fromkeys(KEYS, NO_SERIES)
     level = 500 * ball_diameter  # mm above the lowest raceway
     axial = axial if abs(axial) > FEW * radial else 0.0
     whole = skf(bearing, radial, axial, speed, kinematic, level=level).total

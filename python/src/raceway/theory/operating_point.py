@@ -199,7 +199,7 @@ def figures(
         )
     ahead = operating_warnings.advance(found, lost, cage)
     if lost is not None:
-        doubts = operating_warnings.of_friction(found, lost.friction, ahead)
+        doubts = operating_warnings.of_friction(found, lost, ahead)
         needed = doubts.gyroscopic
         result.update(gyroscopic_friction=needed if needed > 1e-9 else None)
     if ahead is not None:

@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raceway.arrays import Floats
 from raceway.theory import ball_motion, excursion, life, validity
 from raceway.theory.bearing import Bearing, Layout
 from raceway.theory.cage_drag import CageRing
@@ -52,13 +51,15 @@ def restrained(ahead: Excursion | None) -> list[str]:
     return [text] if text else []
 
 
-def of_friction(run: Running, friction: Floats, ahead: Excursion | None) -> OfFriction:
-    """Return the `OfFriction` of a bearing with the coefficients `friction` (C, Z), whose balls run
-    `ahead` of their cage or lag behind it."""
-    state = run.rolling
+def of_friction(run: Running, lost: Losses, ahead: Excursion | None) -> OfFriction:
+    """Return the `OfFriction` of a bearing with the losses `lost`, whose balls run `ahead` of their
+    cage or lag behind it."""
+    state, friction = run.rolling, lost.friction
     needed = ball_motion.gyroscopic(run.bearing, state, run.ring, run.rolling_orbit, run.density)
     needed = needed * np.atleast_2d(state.inner.heavy).any(0)
-    *ends, torque = validity.torque_range(_doubts(state, friction, needed, ahead))
+    doubts = _doubts(state, friction, needed, ahead)
+    pressed = doubts["pockets"] > validity.TORQUE["pockets"].bound
+    *ends, torque = validity.torque_range(doubts, _wedged(run, lost, ahead) if pressed else 0.0)
     sliding = _sliding(state, friction, needed, run.motion is not None)
     return OfFriction(needed.max(), tuple(ends), sliding + torque)
 
@@ -73,6 +74,16 @@ def _doubts(state, friction, needed, ahead):
         gyroscopic=(needed / _available(state, friction)).max(),
         unloaded=np.mean(~np.atleast_2d(state.inner.heavy).any(0)) if tilted else 0.0,
     )
+
+
+def _wedged(run, lost, ahead):
+    """Return the power dissipated if the cage is not shifted to where the balls have the most room,
+    so that they have only half of it, divided by the power in `lost`."""
+    cage = run.friction.cage
+    if cage is None or cage.land or run.motion:
+        return 0.0
+    tight = run.friction._replace(cage=cage._replace(play=ahead.play / 2))
+    return run._replace(friction=tight).losses().power / lost.power
 
 
 def _available(state, friction):

@@ -240,7 +240,7 @@ def figures(*names: Any, **point: Any) -> dict[str, Any]:
     result = case.report(scene, steady, rest)
     lost = rest.losses()
     ahead = operating_warnings.advance(rest, lost, case.cage)
-    doubts = operating_warnings.of_friction(rest, lost.friction, ahead)
+    doubts = operating_warnings.of_friction(rest, lost, ahead)
     result["warnings"] += doubts.warnings + operating_warnings.restrained(ahead)
     return result
 

@@ -65,18 +65,22 @@ TORQUE = {
     "unloaded": Doubt(0.0, 0.85, 1.4, "balls lose and regain their load"),
 }
 AGREES = 0.05  # largest relative difference without such a reason
+WEDGED = 1.25  # largest torque of a run in which the cage wedges, over the estimate from statics
 
 
-def torque_range(values: Mapping[str, float]) -> tuple[float, float, list[str]]:
+def torque_range(
+    values: Mapping[str, float], wedged: float = 0.0
+) -> tuple[float, float, list[str]]:
     """Return the smallest and the largest torque of settled runs, divided by the torque of statics,
     for the `values` {name in `TORQUE`: value} in statics, and a list with a warning if they differ
-    by more than `AGREES`."""
+    by more than `AGREES`. `wedged` is the torque with a cage that wedges between its balls, divided
+    by that of statics; 0 if it cannot."""
     known = [TORQUE[name] for name, value in values.items() if value > TORQUE[name].bound]
     low = min([1 - AGREES, *(one.low for one in known)])
-    high = max([1 + AGREES, *(one.high for one in known)])
+    high = max([1 + AGREES, WEDGED * wedged, *(one.high for one in known)])
     if not known:
         return low, high, []
-    times = f"{low:g} to {high:g} times"
+    times = f"{low:g} to {high:.3g} times"
     why = " and ".join(one.why for one in known)
     return low, high, [f"the torque of a run may be {times} that of statics: {why}"]
 
