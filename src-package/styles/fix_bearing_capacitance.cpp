@@ -175,7 +175,6 @@ void FixBearingCapacitance::init()
     BRG_ALL(bearing::name_of(*this) + ": group " + group->names[igroup] + " has no balls");
   pair_->add_capacitor(groupbit, model_);
   if (model_.surrounded()) check_shoulders();
-  const std::vector<int> there = ball_types();
   for (int type = 1; type <= atom->ntypes; ++type) {
     const bearing::NamedBearing *const b =
         there[type] ? bearing::bearing_of_type(lmp, type) : nullptr;
