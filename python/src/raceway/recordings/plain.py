@@ -123,6 +123,8 @@ def _text(path):
         raw = path.read_bytes()
         if raw.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
             return raw.decode("utf-16")
+        if b"\0" in raw:
+            raise ValueError("it has null bytes")
     try:
         return raw.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -174,7 +176,8 @@ def _even(step):
 def _steps(column):
     """Return the differences between the numbers of a column; none if these are not numbers."""
     try:
-        return np.diff(np.asarray(column, float))
+        with np.errstate(invalid="ignore"):  # of two infinite numbers
+            return np.diff(np.asarray(column, float))
     except (TypeError, ValueError):
         return np.zeros(0)
 
