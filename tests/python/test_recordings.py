@@ -258,7 +258,8 @@ def test_several_columns_of_times(tmp_path, bearing):
 @pytest.mark.parametrize("name, unit_s", [("t", 1), ("time_ms", 1e-3)])
 def test_times_in_an_npz_file(tmp_path, bearing, name, unit_s):
     rows = np.arange(400)
-    np.savez(tmp_path / "a.npz", **{name: rows / RATE / unit_s, "a": np.cos(rows)})
+    more = {name: rows / RATE / unit_s, "a": np.cos(rows), "time": [0.5]}
+    np.savez(tmp_path / "a.npz", **more)
     found = recording.Recording(tmp_path / "a.npz", bearing, rpm=1800)
     assert list(found.channels) == ["a"]
     assert 1 / found.signal().sample_s == pytest.approx(RATE, rel=1e-9)

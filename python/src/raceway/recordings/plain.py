@@ -217,8 +217,9 @@ def read_npz(path: Path) -> Contents:
     told = NPZ.fullmatch(path.name)
     cwru = {"DE", "FE", "BA"} >= set(data) and bool(data)
     rate = NPZ_RATE.get(told[2], math.nan) if told else math.nan
-    for name in [name for name in data if TIME.fullmatch(name) and data[name].ndim == 1]:
-        rate = _rate(path, name, data.pop(name))
+    for name in [name for name in data if TIME.fullmatch(name)]:
+        if np.ndim(data[name]) == 1 and np.size(data[name]) > 1:
+            rate = _rate(path, name, data.pop(name))
     words = {"scale": GRAVITY, "units": "m/s^2", "meaning": "acceleration"} if cwru else {}
     found = {
         name: channel(path, name, values, rate, **words)
