@@ -258,7 +258,8 @@ def test_several_columns_of_times(tmp_path, bearing):
 @pytest.mark.parametrize("name, unit_s", [("t", 1), ("time_ms", 1e-3)])
 def test_times_in_an_npz_file(tmp_path, bearing, name, unit_s):
     rows = np.arange(400)
-    np.savez(tmp_path / "a.npz", **{name: rows / RATE / unit_s, "a": np.cos(rows)})
+    more = {name: rows / RATE / unit_s, "a": np.cos(rows), "time": [0.5]}
+    np.savez(tmp_path / "a.npz", **more)
     found = recording.Recording(tmp_path / "a.npz", bearing, rpm=1800)
     assert list(found.channels) == ["a"]
     assert 1 / found.signal().sample_s == pytest.approx(RATE, rel=1e-9)
@@ -449,6 +450,7 @@ def test_harmonics_of_the_mains_are_not_the_shaft(hum):
         ("a.mat", lambda path: path.write_text("nothing"), {}, "not a MATLAB file"),
         ("a.mat", lambda path: io.savemat(path, {"A": 1}), {}, "has A: only X"),
         ("a.csv", lambda path: path.write_text(""), {}, "cannot read"),
+        ("a.csv", lambda path: path.write_bytes(bytes(range(256))), {}, "not a table .it has null"),
         ("a.npz", lambda path: path.write_text("nothing"), {}, "cannot read"),
         ("a.wav", lambda path: path.write_text("nothing"), {}, "cannot read"),
         ("a.npz", lambda path: np.savez(path, a=np.ones(64)), {}, "not state its sampling rate"),
@@ -464,15 +466,17 @@ def test_harmonics_of_the_mains_are_not_the_shaft(hum):
         ("a.csv", lambda path: path.write_text("t,a\n0,1\n2,2\n1,3\n3,4\n"), {}, "equal steps"),
         ("a.csv", lambda path: path.write_text("t,a\n0,1\n1,x\n2,3\n"), {}, "not a row of numbers"),
         ("a.csv", lambda path: path.write_text("a,b\n0,1,2\n1,2,4\n"), {}, "not match length"),
+        ("a.csv", lambda path: path.write_text("a\n1e400\n1e400\n"), {}, "a has values that"),
         ("a.csv", lambda path: path.write_text("a #1,a #2\n0,1\n1,2\n"), {}, "not match length"),
         ("acc_00001.csv", lambda path: path.write_text("1,2\n3,4\n"), {}, "has 2 columns"),
     ],
 )
-def test_files_that_it_refuses(tmp_path, bearing, name, write, words, says):
+def test_files_that_it_refuses(tmp_path, bearing, recwarn, name, write, words, says):
     if write:
         write(tmp_path / name)
     with pytest.raises(RunError, match=says):
         recording.Recording(tmp_path / name, bearing, **words)
+    assert not list(recwarn)
 
 
 @pytest.mark.parametrize("end", [0.02, 0.5, 0.98])

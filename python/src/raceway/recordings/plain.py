@@ -123,6 +123,8 @@ def _text(path):
         raw = path.read_bytes()
         if raw.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
             return raw.decode("utf-16")
+        if b"\0" in raw:
+            raise ValueError("it has null bytes")
     try:
         return raw.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -174,7 +176,8 @@ def _even(step):
 def _steps(column):
     """Return the differences between the numbers of a column; none if these are not numbers."""
     try:
-        return np.diff(np.asarray(column, float))
+        with np.errstate(invalid="ignore"):  # of two infinite numbers
+            return np.diff(np.asarray(column, float))
     except (TypeError, ValueError):
         return np.zeros(0)
 
@@ -214,8 +217,9 @@ def read_npz(path: Path) -> Contents:
     told = NPZ.fullmatch(path.name)
     cwru = {"DE", "FE", "BA"} >= set(data) and bool(data)
     rate = NPZ_RATE.get(told[2], math.nan) if told else math.nan
-    for name in [name for name in data if TIME.fullmatch(name) and data[name].ndim == 1]:
-        rate = _rate(path, name, data.pop(name))
+    for name in [name for name in data if TIME.fullmatch(name)]:
+        if np.ndim(data[name]) == 1 and np.size(data[name]) > 1:
+            rate = _rate(path, name, data.pop(name))
     words = {"scale": GRAVITY, "units": "m/s^2", "meaning": "acceleration"} if cwru else {}
     found = {
         name: channel(path, name, values, rate, **words)

@@ -113,6 +113,8 @@ def _correct(of, model, row, names, mean, covariance):
     """Apply `unscented` to the readings of a row, keeping the points inside the ranges. The last
     unknown is the error of the cage speed."""
     centre = model.predict(_state(of, names, mean), row.readings)
+    # readings of different units are divided by their own deviations
+    unit = errors(row.readings, centre, np.zeros((len(centre), 2))).alone
 
     def predicted(place):
         if np.array_equal(place[:-1], mean[:-1]):
@@ -129,11 +131,10 @@ def _correct(of, model, row, names, mean, covariance):
         lags = np.stack([lags[..., 0].min(axis=0), lags[..., 1].max(axis=0)], axis=1)
         shift, cage, _ = errors(row.readings, centre, lags)
         values = np.array([[one.value for one in own] for own in shown])
-        return values + shift + np.outer(points[:, -1], cage)
+        return (values + shift + np.outer(points[:, -1], cage)) / unit
 
-    read = np.array([one.value for one in row.readings])
-    noise = errors(row.readings, centre, np.zeros((len(read), 2))).alone ** 2
-    mean, covariance, surprise = unscented(mean, covariance, see, read, noise)
+    read = np.array([one.value for one in row.readings]) / unit
+    mean, covariance, surprise = unscented(mean, covariance, see, read, np.ones(len(read)))
     mean[:-1] = np.clip(mean[:-1], EDGE, 1 - EDGE)
     return mean, covariance, surprise
 

@@ -214,9 +214,9 @@ def lines(
     `within` (relative to the frequency; or a tenth of the resolution) away from the line of the
     run's own cage and balls, exceeds the median around it by a factor of ten, is less than 80 dB
     below the strongest peak, and is closer to this line than to any other; the harmonics of a line
-    are taken at the multiples of its lowest peak. The kinematics use the
-    speeds of the run and the contact `angle` in rad as in `places`, without clearance. `sidebands`
-    has the same meaning as in `expected`.
+    are taken at the multiples of its lowest peak. The kinematics use the speeds of the run and the
+    contact `angle` in rad as in `places`, without clearance. `sidebands` has the same meaning as in
+    `expected`.
     """
     which = 0 if "order" in found_in.dims else 1
     rolling = places(run, angle, harmonics, sidebands, own=False)
