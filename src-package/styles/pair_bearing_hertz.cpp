@@ -151,7 +151,9 @@ void PairBearingHertz::hold_rings()
       moved |= f.groupbit;
   }
   for (int i = 0; i < atom->nlocal; ++i) {
-    if (!coefficients_.is_ring(atom->type[i]) || (atom->mask[i] & moved)) continue;
+    const int type = atom->type[i];
+    if (!coefficients_.is_ring(type) || coefficients_.is_cage(type) || (atom->mask[i] & moved))
+      continue;
     Vec3().to(atom->v[i]);
     const Vec3 e = state_->axis(i), w = Vec3::from(atom->omega[i]), spin = e * dot(w, e);
     if (norm(w - spin) > 1e-12 * norm(w)) spin.to(atom->omega[i]);
