@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "mover_check.h"
 
-#include "../styles/fixes.h"
-
 using namespace LAMMPS_NS;
 
 namespace bearing {

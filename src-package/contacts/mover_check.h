@@ -22,8 +22,9 @@ Lacking unmoved(LAMMPS_NS::LAMMPS *, const std::function<bool(int)> &type);
 class MoverCheck {
  public:
   // Warns of balls, cage balls and grains that no fix moves or turns, and of grains without
-  // contacts, whenever their number has changed. Stops with an error if a fix of the host moves a ring, unless the ring is in the
-  // groups `implicit` of the fixes bearing/implicit, which check what else moves their atoms.
+  // contacts, whenever their number has changed. Stops with an error if a fix of the host moves a
+  // ring, unless the ring is in the groups `implicit` of the fixes bearing/implicit, which check
+  // what else moves their atoms.
   void look(LAMMPS_NS::LAMMPS *, const PairCoefficients &, int implicit);
 
  private:

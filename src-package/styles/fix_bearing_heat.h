@@ -53,8 +53,6 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   // Current temperatures (C) of the contacts, from INNER to OIL as in core/figures/fix_columns.h.
   std::array<double, 5> temperatures() const;
   bool covers_type(int ball_type) const;
-  // The same, but also true before the first run of the fix, which finds its bearing.
-  bool may_cover_type(int ball_type) const { return !bearing_ || covers_type(ball_type); }
   double ambient() const { return network_.ambient; }    // ambient temperature, C, at which the
                                                          // bearing has the given clearance
   double ball_expansion() const { return ball_.expansion * raceway::steel_expansion; }    // 1/K

@@ -5,7 +5,6 @@
 #include "../core/settings/deck_variable_table.h"
 #include "../core/settings/written.h"
 #include "derive_data.h"
-#include "fix_bearing_heat.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "named_bearing.h"
@@ -229,6 +228,19 @@ void PairBearing::init_style()
   PairBearingHertz::init_style();
 }
 
+// Returns true if balls of the bearing are in the group of a fix bearing/heat.
+bool PairBearing::is_heated(const std::string &bearing) const
+{
+  const NamedBearing *b = bearing::find_bearing(lmp, bearing);
+  int heated = 0;
+  for (int k = 0; k < modify->nfix; ++k)
+    for (int i = 0; i < atom->nlocal; ++i)
+      heated |= strcmp(modify->fix[k]->style, "bearing/heat") == 0 && b &&
+                atom->type[i] == b->balls && (atom->mask[i] & modify->fix[k]->groupbit);
+  MPI_Allreduce(MPI_IN_PLACE, &heated, 1, MPI_INT, MPI_MAX, world);
+  return heated;
+}
+
 // Sets the temperature of every oil to that given in the deck. Fixes that heat bearings set theirs
 // afterwards; a fix may have been deleted since the last run.
 void PairBearing::cool()
@@ -236,10 +248,7 @@ void PairBearing::cool()
   for (Coeff &c : coeffs_) {
     if (!c.warm) continue;
     c.warm = false;
-    const NamedBearing *b = bearing::find_bearing(lmp, c.bearing);
-    const std::vector<FixBearingHeat *> heats = bearing::fixes_of<FixBearingHeat>(lmp);
-    const auto heated = [b](const FixBearingHeat *f) { return b && f->may_cover_type(b->balls); };
-    if (comm->me == 0 && std::none_of(heats.begin(), heats.end(), heated))
+    if (!is_heated(c.bearing) && comm->me == 0)
       BRG_WARN("pair_style bearing: fix bearing/heat of bearing " + c.bearing +
                " is gone: the oil has its temperature of " + text(c.temperature) +
                " C again, and the parts have the dimensions of cold parts");

@@ -76,6 +76,7 @@ class PairBearing : public PairBearingHertz {
   };
   bearing::OilWords read_oil(const bearing::Arguments &, const std::string &name, double t);
   void resolve(Coeff &);
+  bool is_heated(const std::string &bearing) const;
   void cool();
   double ring_speed(int ring_type) const;
 

@@ -7,7 +7,6 @@
 #include "../core/settings/arguments.h"
 #include "../core/settings/written.h"
 #include "citation.h"
-#include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "simulated_time.h"
 
@@ -145,10 +144,15 @@ void PairBearingHertz::init_style()
 // whatever another command or a fix of the last run has left.
 void PairBearingHertz::hold_rings()
 {
-  const std::vector<FixBearingRing *> fixes = bearing::fixes_of<FixBearingRing>(lmp);
+  int moved = 0;    // groups of the fixes that move rings
+  for (int k = 0; k < modify->nfix; ++k) {
+    const Fix &f = *modify->fix[k];
+    if (strcmp(f.style, "bearing/ring") == 0 || strcmp(f.style, "bearing/shaft") == 0)
+      moved |= f.groupbit;
+  }
   for (int i = 0; i < atom->nlocal; ++i) {
-    if (!coefficients_.is_ring(atom->type[i]) ||
-        std::any_of(fixes.begin(), fixes.end(), [i](FixBearingRing *f) { return f->moves(i); }))
+    const int type = atom->type[i];
+    if (!coefficients_.is_ring(type) || coefficients_.is_cage(type) || (atom->mask[i] & moved))
       continue;
     Vec3().to(atom->v[i]);
     const Vec3 e = state_->axis(i), w = Vec3::from(atom->omega[i]), spin = e * dot(w, e);
