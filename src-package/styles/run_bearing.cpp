@@ -266,10 +266,10 @@ void RunBearing::settle_adaptively()
           (chooses ? "20 safety " + digits(settings_.safety) + " adapt yes" : "1000 exceed stop"));
   execute("variable " + share_id + " equal " + done + "/" + digits(now().begin));
   show(chunk, "Settling", " share v_" + share_id);
-  while (written(bearing::SimulatedTime::now(*update)) < now().begin) {
-    const double at = static_cast<double>(update->ntimestep);
-    execute("run " + digits(chunk - std::fmod(at, chunk)) + " post no");
-  }
+  // a run that was stopped in the last chunk completes it
+  const auto in_chunk = [&] { return std::fmod(static_cast<double>(update->ntimestep), chunk); };
+  while (written(bearing::SimulatedTime::now(*update)) < now().begin || in_chunk() != 0.0)
+    execute("run " + digits(chunk - in_chunk()) + " post no");
   FixBearingTimestep *const step = bearing::fixes_of<FixBearingTimestep>(lmp).back();
   const double limit = step->compute_vector(bearing::of_fix_timestep::SMALLEST);
   for (const std::string &id : {step_id, show_id}) execute("unfix " + id);

@@ -6,6 +6,7 @@ import math
 import re
 import signal
 import subprocess
+import time
 
 import numpy as np
 import pytest
@@ -249,6 +250,25 @@ def test_stopped_while_it_settles(scene, at, tmp_path):
     succeed(DECK, out=tmp_path / "stopped", resume="yes", **scene)
     assert differ(tmp_path / "stopped", tmp_path / "whole") == []
     assert numbers(tmp_path / "stopped") == numbers(tmp_path / "whole")
+
+
+def test_stopped_at_the_end_of_adaptive_steps(tmp_path):
+    """Adaptive steps continue to the next multiple of 5000 after the loads have been applied, also
+    if a run is stopped in between."""
+    scene = {**VERLET, "settle": "auto", "more": "settled 1.0e-6 limit 2"}
+    succeed(DECK, out=tmp_path / "whole", **scene)
+    for number in range(100):
+        out = tmp_path / str(number)
+        with start(DECK, out=out, output=subprocess.PIPE, **scene) as process:
+            next(line for line in process.stdout if line.split()[2:3] == ["10000"])
+            time.sleep(1e-3 * number)
+            process.terminate()
+            stopped = re.search(r"after step (\d+)", process.stdout.read())
+        if stopped and 11000 < int(stopped[1]) < 15000:
+            break
+    assert stopped, "it was never stopped in time"
+    succeed(DECK, out=out, resume="yes", **scene)
+    assert differ(out, tmp_path / "whole") == []
 
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
