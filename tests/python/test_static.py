@@ -4,9 +4,9 @@ solutions, and with independently written equations of equilibrium."""
 
 import numpy as np
 import pytest
-from raceway import clearance, hertz
+from raceway import clearance, hertz, inputs
 from raceway.theory.bearing import INNER, OUTER
-from raceway.theory.static import equilibrium
+from raceway.theory.static import STRAIGHT, equilibrium
 from scipy.optimize import brentq
 
 
@@ -103,3 +103,21 @@ def test_circle_keeps_its_shape_under_a_finite_shift(bearing):
 def test_ring_on_one_ball_rolls_off(bearing):
     loaded = equilibrium(bearing, 1.0, clearance=150e-6, finite_shift=True).inner.load > 0
     assert loaded.sum() == 2
+
+
+@pytest.mark.parametrize(
+    "name, load, axial", [("7205B", 300.0, 50.0), ("7208B", 300.0, 500.0), ("6208", 1000.0, 300.0)]
+)
+def test_slow_balls(name, load, axial):
+    """The slower a bearing turns, the closer its equilibrium is to that at standstill, whatever
+    equilibrium the search starts from. Newton's method used to crawl along the grooves towards the
+    places of unloaded balls with tiny centrifugal loads."""
+    body = inputs.bearing(name)
+    still = near = equilibrium(body, load, axial, held=STRAIGHT)
+    for orbit in (10.0, 1.0, 0.03, 1e-3, 1e-5):  # rad/s
+        turns = {"orbital_speed": orbit, "held": STRAIGHT}
+        near = equilibrium(body, load, axial, near=near, **turns)
+        afresh = equilibrium(body, load, axial, **turns)
+        size = np.linalg.norm(still.shift)
+        assert np.linalg.norm(near.shift - afresh.shift) < 1e-9 * size
+        assert np.linalg.norm(near.shift - still.shift) < (1e-9 + 1e-4 * orbit**2) * size

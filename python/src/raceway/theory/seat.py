@@ -149,6 +149,26 @@ def settle(grooves: Grooves, near: Floats | None = None) -> Floats:
     # keeps the matrix regular if a ball has lost contact with one or both grooves
     floor = (1e-9 * scale.max() + 1e-30) / longest * np.eye(2)
     digits = 8 * np.spacing(outer[:, 0])
+    ball, excess = _newton(grooves, ball, scale, longest, floor, digits)
+    # a slow ball is hardly pressed into the outer groove, along which Newton's method crawls; it is
+    # at rest at the bottom or where it touches the inner groove on its way there
+    if (stuck := excess > 0).any():
+        alone = (touch(grooves, thrown).load > 0).sum(0) == 1
+        corner = _corner(outer, line / distance[:, None], distance, gap, (soft, hard), centrifugal)
+        rest = np.where((alone | np.isnan(corner).any(1))[:, None], thrown, corner)
+        ball = np.where(stuck[:, None], rest, ball)
+        ball, excess = _newton(grooves, ball, scale, longest, floor, digits)
+    if np.any(excess > 0):
+        raise NoEquilibrium(
+            f"no equilibrium position found for ball {int(np.argmax(excess))} between its raceways"
+        )
+    return ball
+
+
+def _newton(grooves, ball, scale, longest, floor, digits):
+    """Return the positions (Z, 2) found by Newton's method, and by how much their residual forces
+    exceed the limit (Z,)."""
+    stiffness = grooves.stiffness
     now = touch(grooves, ball)
     for _ in range(200):
         slope = gradient(grooves, now)
@@ -166,12 +186,27 @@ def settle(grooves: Grooves, near: Floats | None = None) -> Floats:
         before, (ball, now) = ball, _moved(grooves, ball, step, slope, now)
         if np.array_equal(before, ball):
             break
-    excess = size - 1e-7 * np.maximum(scale, 1e-6 * scale.max()) - rounding
-    if np.any(excess > 0):
-        raise NoEquilibrium(
-            f"no equilibrium position found for ball {int(np.argmax(excess))} between its raceways"
-        )
-    return ball
+    return ball, size - 1e-7 * np.maximum(scale, 1e-6 * scale.max()) - rounding
+
+
+def _corner(outer, line, distance, gap, stiffness, centrifugal):
+    """Return the positions (Z, 2) at which balls with play touch both grooves under their
+    centrifugal load, without film; NaN if it does not press them into both."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        # where circles with the radii of both gaps about the centres of curvature intersect
+        along = (distance**2 + gap[1] ** 2 - gap[0] ** 2) / (2 * distance)
+        across = np.sqrt(gap[1] ** 2 - along**2)
+        side = np.stack([-line[:, 1], line[:, 0]], -1)
+        side *= np.where(side[:, 0] < 0, -1, 1)[:, None]  # the intersection farther out
+        arms = np.stack([(along - distance)[:, None] * line, along[:, None] * line], 1)
+        arms = (arms + (across[:, None] * side)[:, None]) / gap.T[..., None]
+        (a, b), (c, d) = arms[:, 0].T, arms[:, 1].T
+        whole = a * d - b * c
+        # the loads along both arms that balance the centrifugal load
+        load = centrifugal * np.stack([d, -b]) / whole
+        inner, to_outer = (load / np.stack(stiffness)) ** (2 / 3)
+        shift = np.stack([d * inner - b * to_outer, a * to_outer - c * inner], -1)
+        return outer + gap[1][:, None] * arms[:, 1] + shift / whole[:, None]
 
 
 def _moved(grooves, ball, step, slope, now):
