@@ -242,7 +242,8 @@ void FixBearingRing::evaluate(int first, int last)
 {
   for (int k = first; k < last; ++k) {
     now_.of[k] = settings_.value[k].now(lmp);
-    if (k >= RingProgram::FORCE) warn_if_idle(k - RingProgram::FORCE, now_.of[k]);
+    if (k >= RingProgram::FORCE && now_.of[k] != 0.0)
+      warn_if_idle(k - RingProgram::FORCE, now_.of[k]);
   }
 }
 

@@ -110,7 +110,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   FixBearingRing(class LAMMPS *, int, char **, Words);    // for derived classes with more settings
   bearing::RingBody usual_body() const;
   void settings_are_read();    // must be called after the settings have been read
-  void warn_if_idle(int dof, double load, const std::string &force = "force");
+  void warn_if_idle(int dof, double load, const char *force = "force");
   void warn_of_idle_loads();
   void find_rings();
   void refuse_another_mover();

@@ -10,7 +10,7 @@ using bearing::text;
 
 // Warns, once, of a force (N) or moment (N m) along a degree of freedom that is not free. Values
 // below 1e-6 are rounding errors of a formula or an azimuth.
-void FixBearingRing::warn_if_idle(int dof, double load, const std::string &force)
+void FixBearingRing::warn_if_idle(int dof, double load, const char *force)
 {
   if (settings_.program.free(dof) || std::fabs(load) < 1e-6) return;
   const bool turns = dof >= RingProgram::TILT;
