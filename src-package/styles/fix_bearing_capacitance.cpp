@@ -178,7 +178,8 @@ void FixBearingCapacitance::init()
   for (int type = 1; type <= atom->ntypes; ++type) {
     const bearing::NamedBearing *const b =
         there[type] ? bearing::bearing_of_type(lmp, type) : nullptr;
-    if (b && b->word("ball_material") != "steel" && comm->me == 0)
+    if (b && b->word("ball_material") != "steel" && insulating_.insert(b->name).second &&
+        comm->me == 0)
       BRG_WARN(bearing::name_of(*this) + ": the balls of bearing " + b->name + " are of " +
                b->word("ball_material") + ", which insulates, but the capacitances are those of " +
                "balls of steel");

@@ -17,6 +17,8 @@ FixStyle(bearing/capacitance,FixBearingCapacitance)
 #include "bearing_compat.h"
 #include "run_phase.h"
 
+#include <set>
+
 namespace bearing {
 class Arguments;
 }
@@ -99,6 +101,7 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   raceway::CapacitorModel given_, model_;    // given_: 0 for data that are not in the command
   std::string said_, said_given_, totals_name_, contacts_name_;
   bool idle_ = false;
+  std::set<std::string> insulating_;    // bearings of whose ceramic balls a warning has been given
   double background_ = 0.0;
   raceway::FilmQuestions ask_;
   bearing::CapacitorTable table_;    // capacitors including their surroundings

@@ -77,19 +77,6 @@ def test_ring_held_along_its_axis(capsys):
     )
 
 
-def test_balls_in_both_outer_grooves_roll_with_their_cage(capsys):
-    """At this speed the centrifugal load presses the balls into both outer grooves, where they
-    spin. In a run with a cage ring they nevertheless roll: after 3000 ball passes they orbit at
-    3844 rad/s. Without a cage, they orbit at 2680 rad/s."""
-    words = ["--axial", "900", "--four-point", "35", "--rpm", "89062.8", "--lubricant", "vg46"]
-    found = figures(capsys, *words)
-    assert found["orbital_speed_rad_s"] == pytest.approx(3844, rel=0.005)
-    outer = [one for one in found["balls"][0]["contacts"] if one["raceway"].startswith("outer")]
-    assert len(outer) == 2
-    assert all(one["h_min_m"] > 0 and one["capacitance_F"] > 0 for one in outer)
-    assert found["residual_N"] < 1e-6
-
-
 def test_balls_that_slide_under_their_gyroscopic_moment(capsys):
     """In runs with a coefficient of friction of 0.05 in the film, the balls of a 7205B at 8000 rpm
     slide under a thrust of 100 N and roll under a thrust of 150 N. Without a contact angle, there

@@ -43,8 +43,8 @@ def test_bits(name, tmp_path):
         out = tmp_path / str(step)
         stopped = {**scene, "keep": step * WITHIN}
         succeed(deck, out=out, last="no", **stopped)
-        for name in ("record.nc", "run.yaml"):
-            (out / name).unlink(missing_ok=True)
+        for result in ("record.nc", "run.yaml"):
+            (out / result).unlink(missing_ok=True)
         text = succeed(deck, out=out, resume="yes", **stopped).text
         assert "Continuing from" in text
         assert differ(whole, out) == [], step

@@ -100,8 +100,7 @@ def _one_groove(path):
     data |= numbers(path, *given)
     data["balls"] = int(data["balls"])
     check(path, data)
-    words = {"ball_material"}
-    numbers(path, *(name for name in variable_table.data() if name in known.keys() - words))
+    numbers(path, *(name for name in variable_table.numbers_of_data() if name in known))
     for side in ("inner", "outer"):
         groove, raceway = data[f"{side}_groove"], data[f"{side}_radius"]
         if groove >= raceway:
@@ -109,7 +108,7 @@ def _one_groove(path):
                 f"{path}: {side}_groove = {groove:g} m must be below {side}_radius = {raceway:g} m"
             )
     needed = variable_table.needed("usual data" if "pitch_diameter" in known else "bearing data")
-    numbers(path, *(name for name in ELASTIC if name in needed))
+    numbers(path, *(name for name in ELASTIC if name in needed))  # error if they are missing
     ball, ring = _materials(path)
     try:
         return Bearing(

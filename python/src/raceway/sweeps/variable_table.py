@@ -72,3 +72,8 @@ def block(values: Mapping[str, float]) -> list[str]:
 def data() -> list[str]:
     """Return the names of the data of bearings and oils."""
     return list(dict.fromkeys(row["name"] for row in rows() if DATA & set(row["of"].split("|"))))
+
+
+def numbers_of_data() -> list[str]:
+    """Return the names of those data of bearings and oils that are numbers, not words."""
+    return [name for name in data() if not row(name)["range"].startswith("one_of")]
